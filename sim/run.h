@@ -58,8 +58,9 @@ typedef struct brink_run {
     brink_instant now;
     brink_tally tally;
     brink_happening last;
-    uint32_t idle;       // consecutive events that did not move the clock
-    double energy_begin; // kinetic and potential when the run was made
+    uint32_t idle;        // consecutive events that did not move the clock
+    double energy_begin;  // kinetic and potential when the run was made
+    double kinetic_begin; // the kinetic part of it
     double momentum_begin[3];
     double image[27][3]; // shifts to the images a particle is looked for in
     int images;
@@ -79,6 +80,10 @@ enum brink_run_status {
  * made: cells and levels from position, everything predicted.  0, -1 no memory.
  */
 int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier);
+/** The same without levels and predictions, for those who have them stored: the
+ * caller fills states, cells, calendar, tally and clock in. */
+int brink_run_assemble(brink_run *run, brink_system *system,
+                       enum brink_tier tier);
 void brink_run_destroy(brink_run *run);
 const char *brink_run_is_valid(const brink_run *run);
 
