@@ -2,8 +2,8 @@
 #include "scene.h"
 #include "box.h"
 #include "species.h"
-#include "value.h"
 #include "tree.h"
+#include "value.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
