@@ -133,6 +133,17 @@ BRINK_INLINE int biased_exponent(double x)
     return (int)(bits_of(x) >> 52 & 0x7ff);
 }
 
+/** The e for which scaling by 2^-e brings the largest of n numbers into [1, 2),
+ * or as near to it as a power of two among the normal doubles can. */
+BRINK_INLINE int common_exponent(int n, const double *x)
+{
+    int biased = 0;
+    for (int i = 0; i < n; i++)
+        if (biased_exponent(x[i]) > biased)
+            biased = biased_exponent(x[i]);
+    return biased > 2045 ? 1022 : biased < 1 ? -1022 : biased - 1023;
+}
+
 /** 2^e, -1022 <= e <= 1023. */
 BRINK_INLINE double power_of_two(int e)
 {
