@@ -2,8 +2,9 @@
 #ifndef BRINK_EXACT_H
 #define BRINK_EXACT_H
 /**
- * What the kernels are made of, and not installed with them: error-free transforms,
- * double-double arithmetic, and exact dyadic numbers for what those cannot decide.
+ * What the kernels are made of, and not installed with them: error-free
+ * transforms and double-double arithmetic.  What those cannot decide is
+ * dyadic.h's.
  *
  * u = 2^-53 is the unit roundoff.  Rounding is to nearest, ties to even.
  */
@@ -13,16 +14,20 @@
 #include <string.h>
 
 #ifdef __FAST_MATH__
-#error "brink's results rest on IEEE arithmetic: do not compile it with -ffast-math"
+#error                                                                           \
+    "brink's results rest on IEEE arithmetic: do not compile it with -ffast-math"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error "brink needs doubles to be rounded to double (on old x86: -msse2 -mfpmath=sse)"
+#error                                                                           \
+    "brink needs doubles to be rounded to double (on old x86: -msse2 -mfpmath=sse)"
 #endif
 
-/** Always inlined, so that a body compiled for hardware with fma() has it throughout. */
+/** Always inlined, so that a body compiled for hardware with fma() has it
+ * throughout. */
 #define BRINK_INLINE static inline __attribute__((always_inline))
 
-// --- Error-free transforms -----------------------------------------------------------
+// --- Error-free transforms
+// -----------------------------------------------------------
 
 typedef struct dd { // the unevaluated sum hi + lo, |lo| <= u |hi|
     double hi, lo;
@@ -42,15 +47,17 @@ BRINK_INLINE dd fast_two_sum(double a, double b)
     return (dd){s, b - (s - a)};
 }
 
-/** hi + lo = a b, exactly, where a b neither overflows nor has bits below 2^-1074. */
+/** hi + lo = a b, exactly, where a b neither overflows nor has bits below
+ * 2^-1074. */
 BRINK_INLINE dd two_prod(double a, double b)
 {
     double p = a * b;
     return (dd){p, fma(a, b, -p)};
 }
 
-// --- Double-double -------------------------------------------------------------------
-// Errors relative to the exact result, barring over- and underflow.  The algorithms and
+// --- Double-double
+// ------------------------------------------------------------------- Errors
+// relative to the exact result, barring over- and underflow.  The algorithms and
 // bounds are those of Joldes, Muller, Popescu (2017), ACM TOMS 44(2); the square
 // root's of Lefevre, Louvet, Muller, Picot, Rideau (2023), ACM TOMS 49(1), 1.
 
@@ -102,7 +109,8 @@ BRINK_INLINE dd dd_sqrt(dd x)
     return fast_two_sum(s, d / (2 * s)); // error <= 25/8 u^2
 }
 
-// --- Powers of two -------------------------------------------------------------------
+// --- Powers of two
+// -------------------------------------------------------------------
 
 BRINK_INLINE uint64_t bits_of(double x)
 {
@@ -118,7 +126,8 @@ BRINK_INLINE double double_of(uint64_t b)
     return x;
 }
 
-/** The biased exponent: 0 for zero and subnormals, 2047 for infinities and NaN. */
+/** The biased exponent: 0 for zero and subnormals, 2047 for infinities and NaN.
+ */
 BRINK_INLINE int biased_exponent(double x)
 {
     return (int)(bits_of(x) >> 52 & 0x7ff);
@@ -129,40 +138,4 @@ BRINK_INLINE double power_of_two(int e)
 {
     return double_of((uint64_t)(e + 1023) << 52);
 }
-
-// --- Dyadic numbers ------------------------------------------------------------------
-/**
- * sign * sum of limb[i] 2^(32 (low + i)), exact at any magnitude.  Every number here is
- * a polynomial in doubles and is simply written down; nothing is rounded until
- * brink_dyadic_round.  No result may be one of the operands.
- *
- * Capacity: a double, or a midpoint of two, is a multiple of 2^-1075 and less than
- * 2^1024 in magnitude, so it lies in limbs -34 to 31, 66 of them.  The highest degree is
- * 6 (m1 m2 (r.v)^2 in brink_step_impulse); each factor may be a sum and have one limb
- * more for its carries, and so may the result: 6 * 67 + 1.
- */
-#define BRINK_DYADIC_DEGREE 6
-#define BRINK_DYADIC_LIMBS  (67 * BRINK_DYADIC_DEGREE + 1)
-
-typedef struct brink_dyadic {
-    int sign;  // -1, 0, 1
-    int low;   // place of limb[0]
-    int count; // limbs in use; the last of them is not 0
-    uint32_t limb[BRINK_DYADIC_LIMBS];
-} brink_dyadic;
-
-/** z = m 2^e. */
-void brink_dyadic_integer(brink_dyadic *z, int64_t m, int e);
-/** z = x, which is finite. */
-void brink_dyadic_double(brink_dyadic *z, double x);
-void brink_dyadic_add(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b);
-void brink_dyadic_sub(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b);
-void brink_dyadic_mul(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b);
-/** z = sum of x[i] y[i], i < n. */
-void brink_dyadic_dot(brink_dyadic *z, int n, const double *x, const double *y);
-
-/** The double nearest to a, ties to even, over- and underflow as IEEE has them. */
-double brink_dyadic_round(const brink_dyadic *a);
-/** a = (hi + lo) 2^*e with |hi + lo| in [1/2, 1], error < 2u^2 relative; 0 for 0. */
-dd brink_dyadic_leading(const brink_dyadic *a, int *e);
 #endif

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Double-double throughout, each velocity rounded once at the end: the bounds of the
-// header are those of that last rounding.  With k1 = m2 / (m1 + m2), k2 = m1 / (m1 + m2):
+// Double-double throughout, each velocity rounded once at the end: the bounds of
+// the header are those of that last rounding.  With k1 = m2 / (m1 + m2), k2 = m1
+// / (m1 + m2):
 //     v1' = v1 + k1 (b' - b) / (r.r) r,    v2' = v2 - k2 (b' - b) / (r.r) r.
 #include "impulse.h"
-#include "exact.h"
+#include "dyadic.h"
 
 /** A pair with its lengths, velocities and masses scaled to about 1, exactly. */
 typedef struct pair {
@@ -14,8 +15,8 @@ typedef struct pair {
     dd k1, k2, mu; // m2 / (m1 + m2), m1 / (m1 + m2), m1 m2 / (m1 + m2): <= 2^-100
 } pair;
 
-/** The e for which scaling by 2^-e brings the largest of n numbers to [1, 2); or as
- *  near as a power of two within the doubles can, if they are all subnormal. */
+/** The e for which scaling by 2^-e brings the largest of n numbers to [1, 2); or
+ * as near as a power of two within the doubles can, if they are all subnormal. */
 static int common_exponent(int n, const double *x)
 {
     int biased = 0;
@@ -32,14 +33,18 @@ static void scale(double out[3], const double x[3], int e)
         out[i] = x[i] * power_of_two(e);
 }
 
+/** `rise` is counted in where it is a fall: its speed is what the pair gains. */
 static void pair_make(pair *p, const double r[3], double m1, double m2,
-                      const double v1[3], const double v2[3])
+                      double rise, const double v1[3], const double v2[3])
 {
     const double speeds[6] = {v1[0], v1[1], v1[2], v2[0], v2[1], v2[2]};
     const double masses[2] = {m1, m2};
     p->er = common_exponent(3, r);
     p->ev = common_exponent(6, speeds);
     p->em = common_exponent(2, masses);
+    int ev_fall = (common_exponent(1, &rise) - p->em) / 2;
+    if (rise < 0 && ev_fall > p->ev)
+        p->ev = ev_fall;
     scale(p->r, r, -p->er);
     scale(p->v1, v1, -p->ev);
     scale(p->v2, v2, -p->ev);
@@ -71,7 +76,8 @@ static void pair_kick(const pair *p, const dd w[3], double v1[3], double v2[3])
 /** Changes b by `change` along the line of centres; returns the virial. */
 static double pair_change(const pair *p, dd change, double v1[3], double v2[3])
 {
-    if (change.hi == 0) // nothing to do; at r = 0 there is no line of centres either
+    if (change.hi ==
+        0) // nothing to do; at r = 0 there is no line of centres either
         return 0;
     dd w[3], slope = dd_div(change, p->rr);
     for (int i = 0; i < 3; i++)
@@ -83,7 +89,7 @@ static double pair_change(const pair *p, dd change, double v1[3], double v2[3])
 /** From b to -|b| along `way`. */
 static dd reflection(const pair *p, enum brink_direction way)
 {
-    if (p->b.hi * way > 0)
+    if (p->b.hi * (int)way > 0)
         return dd_mul_d(p->b, -2);
     return (dd){0, 0};
 }
@@ -92,7 +98,7 @@ double brink_core_impulse(const double r[3], double m1, double m2, double v1[3],
                           double v2[3])
 {
     pair p;
-    pair_make(&p, r, m1, m2, v1, v2);
+    pair_make(&p, r, m1, m2, 0, v1, v2);
     return pair_change(&p, reflection(&p, BRINK_INWARD), v1, v2);
 }
 
@@ -123,16 +129,18 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
                        double *virial)
 {
     pair p;
-    pair_make(&p, r, m1, m2, v1, v2);
+    pair_make(&p, r, m1, m2, rise, v1, v2);
 
-    // s: speed along `way`, times |r|; it goes from s to s' with s'^2 = s^2 - loss.
-    dd s = dd_mul_d(p.b, way), ss = dd_mul(s, s);
-    dd loss = dd_mul_d(p.rr, 2 * ldexp(rise, -p.em - 2 * p.ev));
-    loss = dd_div(loss, p.mu);
+    // s: speed along `way`, times |r|; it goes from s to s' with s'^2 = s^2 -
+    // loss.
+    dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
+    // A rise of 2^900 is out of reach: it stands for all that are higher.
+    double scaled_rise = fmin(ldexp(rise, -p.em - 2 * p.ev), 0x1p900);
+    dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
     dd rest = dd_add(ss, dd_negate(loss));
 
-    // |r|, |v| < 8 here, so ss is in error by less than 2 * 64 * 2^-100 * 64 = 2^-87;
-    // loss by less than 2^-95 of itself.
+    // |r|, |v| < 8 here, so ss is in error by less than 2 * 64 * 2^-100 * 64 =
+    // 2^-87; loss by less than 2^-95 of itself.
     int crosses = rest.hi > 0;
     if (!(fabs(rest.hi) > 0x1p-86 + 0x1p-94 * fabs(loss.hi)))
         crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;
@@ -144,7 +152,7 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
             change = dd_div(dd_negate(loss), dd_add(after, s));
         else
             change = dd_add(after, dd_negate(s));
-        change = dd_mul_d(change, way);
+        change = dd_mul_d(change, (int)way);
     }
     *virial = pair_change(&p, change, v1, v2);
     return crosses;
@@ -154,7 +162,7 @@ int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
                       double v2[3])
 {
     pair p;
-    pair_make(&p, r, m1, m2, v1, v2);
+    pair_make(&p, r, m1, m2, 0, v1, v2);
     dd vv = {0, 0};
     for (int i = 0; i < 3; i++)
         vv = dd_add(vv, dd_mul(p.v[i], p.v[i]));
@@ -162,11 +170,11 @@ int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
     if (!(fabs(p.b.hi) < rim.hi))
         return 0;
 
-    // v = b/rr r + tangent; afterwards -rim/rr r + stretch * tangent, of equal length:
-    // stretch^2 = (vv - rim^2/rr) / (vv - b^2/rr)
+    // v = b/rr r + tangent; afterwards -rim/rr r + stretch * tangent, of equal
+    // length: stretch^2 = (vv - rim^2/rr) / (vv - b^2/rr)
     dd bb = dd_div(dd_mul(p.b, p.b), p.rr), rim2 = dd_div(dd_mul(rim, rim), p.rr);
-    dd stretch = dd_sqrt(
-        dd_div(dd_add(vv, dd_negate(rim2)), dd_add(vv, dd_negate(bb))));
+    dd stretch =
+        dd_sqrt(dd_div(dd_add(vv, dd_negate(rim2)), dd_add(vv, dd_negate(bb))));
     dd along = dd_div(p.b, p.rr), inward = dd_negate(dd_div(rim, p.rr));
     dd w[3];
     for (int i = 0; i < 3; i++) {

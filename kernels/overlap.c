@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "overlap.h"
-#include "exact.h"
+#include "dyadic.h"
 
 double brink_ball_overlap(const double r[3], double sigma)
 {
-    const double x[4] = {r[0], r[1], r[2], sigma}, y[4] = {r[0], r[1], r[2], -sigma};
+    const double x[4] = {r[0], r[1], r[2], sigma},
+                 y[4] = {r[0], r[1], r[2], -sigma};
     brink_dyadic f;
     brink_dyadic_dot(&f, 4, x, y);
     return brink_dyadic_round(&f);
@@ -19,7 +20,8 @@ double brink_ball_overlap_rate(const double r[3], const double v[3])
 
 int brink_ball_overlap_sign(const double r[3], double sigma)
 {
-    const double x[4] = {r[0], r[1], r[2], sigma}, y[4] = {r[0], r[1], r[2], -sigma};
+    const double x[4] = {r[0], r[1], r[2], sigma},
+                 y[4] = {r[0], r[1], r[2], -sigma};
     brink_dyadic f;
     brink_dyadic_dot(&f, 4, x, y);
     return f.sign;

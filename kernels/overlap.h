@@ -2,11 +2,13 @@
 #ifndef BRINK_OVERLAP_H
 #define BRINK_OVERLAP_H
 /**
- * Inside or outside, coming or going: the overlap functions of [S16] and their rates.
+ * Inside or outside, coming or going: the overlap functions of [S16] and their
+ * rates.
  *
  * A pair's separation r, relative velocity v and the sphere's radius sigma; or a
- * particle's position r, a plane through c with normal n pointing to the valid side.
- * Lengths and times in any consistent units.  All inputs are finite, of any magnitude.
+ * particle's position r, a plane through c with normal n pointing to the valid
+ * side. Lengths and times in any consistent units.  All inputs are finite, of any
+ * magnitude.
  */
 #ifdef __cplusplus
 extern "C" {

@@ -20,7 +20,8 @@ int brink_potential_is_valid(const brink_potential *p)
     return 1;
 }
 
-/** Whether there is a step inward from `level` and it is, or is not, a hard core. */
+/** Whether there is a step inward from `level` and it is, or is not, a hard core.
+ */
 static int has_core(const brink_potential *p, int level)
 {
     return level == p->count - 1 && isinf(p->energy[level]);
@@ -44,15 +45,16 @@ static int is_level(const brink_potential *p, int level)
 double brink_potential_energy(const brink_potential *p, int level)
 {
     if (level < 0 || level > p->count)
-        return NAN;
+        return (double)NAN;
     return level == 0 ? 0 : p->energy[level - 1];
 }
 
-double brink_step_rise(const brink_potential *p, int level, enum brink_direction way)
+double brink_step_rise(const brink_potential *p, int level,
+                       enum brink_direction way)
 {
     int next = way == BRINK_INWARD ? level + 1 : level - 1;
     if (!is_level(p, level))
-        return NAN;
+        return (double)NAN;
     return brink_potential_energy(p, next) - brink_potential_energy(p, level);
 }
 
@@ -64,8 +66,8 @@ int brink_step_level_at(const brink_potential *p, const double r[3])
     return level;
 }
 
-int brink_step_next(const brink_potential *p, int level, enum brink_event_kind event,
-                    int *next)
+int brink_step_next(const brink_potential *p, int level,
+                    enum brink_event_kind event, int *next)
 {
     *next = level;
     if (!is_level(p, level))
@@ -83,7 +85,8 @@ int brink_step_next(const brink_potential *p, int level, enum brink_event_kind e
             return 0;
         *next = level - 1;
         return 1;
-    case BRINK_BOUNCE: // outward every step is finite, or the pair would not be inside
+    case BRINK_BOUNCE: // outward every step is finite, or the pair would not be
+                       // inside
         return level > 0 || has_finite_step(p, level);
     }
     return 0; // not a kind of event

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Dyadic numbers by the school's methods.  Reached only where a filter and double-double
-// could not decide, so plainness goes before speed; the cost is that of the limbs in use.
-#include "exact.h"
+// By the school's methods.  Reached only where filters and double-double could
+// not decide, so plainness goes before speed; the cost is that of the limbs in
+// use.
+#include "dyadic.h"
 
-/** Bits of |a| from place `from` up, `count` <= 53 of them, as an integer. */
-static uint64_t bits_from(const brink_dyadic *a, int from, int count)
+uint64_t brink_dyadic_bits(const brink_dyadic *a, int from, int count)
 {
     uint64_t bits = 0;
     for (int i = count - 1; i >= 0; i--) {
@@ -30,8 +30,7 @@ static int any_below(const brink_dyadic *a, int end)
     return 0;
 }
 
-/** The p for which 2^(p-1) <= |a| < 2^p; a is not 0. */
-static int magnitude(const brink_dyadic *a)
+int brink_dyadic_magnitude(const brink_dyadic *a)
 {
     int p = 32 * (a->low + a->count - 1);
     for (uint32_t top = a->limb[a->count - 1]; top; top >>= 1)
@@ -105,7 +104,8 @@ static void combine(brink_dyadic *z, int sign, const brink_dyadic *a,
     z->low = low;
     z->count = top - low;
     for (int place = low; place < top; place++) {
-        int64_t sum = carry + limb_at(a, place) + way * (int64_t)limb_at(b, place);
+        int64_t sum =
+            carry + limb_at(a, place) + way * (int64_t)limb_at(b, place);
         z->limb[place - low] = (uint32_t)((uint64_t)sum & UINT32_MAX);
         carry = sum < 0 ? -1 : sum >> 32;
     }
@@ -122,8 +122,8 @@ static void copy(brink_dyadic *z, int sign, const brink_dyadic *a)
 }
 
 /** z = a + sign b. */
-static void add_signed(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b,
-                       int sign)
+static void add_signed(brink_dyadic *z, const brink_dyadic *a,
+                       const brink_dyadic *b, int sign)
 {
     sign *= b->sign;
     if (sign == 0)
@@ -138,17 +138,20 @@ static void add_signed(brink_dyadic *z, const brink_dyadic *a, const brink_dyadi
         combine(z, sign, b, a, -1);
 }
 
-void brink_dyadic_add(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b)
+void brink_dyadic_add(brink_dyadic *z, const brink_dyadic *a,
+                      const brink_dyadic *b)
 {
     add_signed(z, a, b, 1);
 }
 
-void brink_dyadic_sub(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b)
+void brink_dyadic_sub(brink_dyadic *z, const brink_dyadic *a,
+                      const brink_dyadic *b)
 {
     add_signed(z, a, b, -1);
 }
 
-void brink_dyadic_mul(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic *b)
+void brink_dyadic_mul(brink_dyadic *z, const brink_dyadic *a,
+                      const brink_dyadic *b)
 {
     z->sign = a->sign * b->sign;
     z->low = a->low + b->low;
@@ -156,7 +159,8 @@ void brink_dyadic_mul(brink_dyadic *z, const brink_dyadic *a, const brink_dyadic
     memset(z->limb, 0, (size_t)z->count * sizeof *z->limb);
     for (int i = 0; i < a->count; i++) {
         uint64_t carry = 0;
-        for (int j = 0; j < b->count; j++) { // (2^32-1)^2 + 2 (2^32-1) = 2^64 - 1: fits
+        for (int j = 0; j < b->count;
+             j++) { // (2^32-1)^2 + 2 (2^32-1) = 2^64 - 1: fits
             carry += (uint64_t)a->limb[i] * b->limb[j] + z->limb[i + j];
             z->limb[i + j] = (uint32_t)carry;
             carry >>= 32;
@@ -183,11 +187,13 @@ double brink_dyadic_round(const brink_dyadic *a)
 {
     if (a->sign == 0)
         return 0;
-    int last = magnitude(a) - 53; // place of the last bit that is kept
+    int last =
+        brink_dyadic_magnitude(a) - 53; // place of the last bit that is kept
     if (last < -1074)
         last = -1074;
-    uint64_t m = bits_from(a, last, 53);
-    m += bits_from(a, last - 1, 1) & (m | (uint64_t)any_below(a, last - 1));
+    uint64_t m = brink_dyadic_bits(a, last, 53);
+    m += brink_dyadic_bits(a, last - 1, 1) &
+         (m | (uint64_t)any_below(a, last - 1));
     return a->sign * ldexp((double)m, last);
 }
 
@@ -196,9 +202,10 @@ dd brink_dyadic_leading(const brink_dyadic *a, int *e)
     *e = 0;
     if (a->sign == 0)
         return (dd){0, 0};
-    int p = magnitude(a);
-    double hi = (double)bits_from(a, p - 53, 53) * 0x1p-53;
-    double lo = (double)bits_from(a, p - 106, 53) * 0x1p-106;
+    int p = brink_dyadic_magnitude(a);
+    double hi = (double)brink_dyadic_bits(a, p - 53, 53) * 0x1p-53;
+    double lo = (double)brink_dyadic_bits(a, p - 106, 53) * 0x1p-106;
     *e = p;
-    return fast_two_sum(a->sign * hi, a->sign * lo); // cut off below: < 2^-106 of [1/2, 1]
+    return fast_two_sum(a->sign * hi,
+                        a->sign * lo); // cut off below: < 2^-106 of [1/2, 1]
 }
