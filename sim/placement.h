@@ -15,9 +15,9 @@ int brink_placement_lattice(brink_system *s, enum brink_lattice lattice,
                             gsl_rng *random);
 
 /** One by one, the largest cores first, each anywhere that its core finds room.
- *  0; -1 no memory; 1 no room was found in a bounded number of trials, `placed`
- *  particles having been placed. */
-int brink_placement_random(brink_system *s, gsl_rng *random, uint32_t *placed);
+ *  0; -1 no memory; 1 no room was found in a bounded number of trials, when the
+ *  cores of those placed filled the part *packing of the box. */
+int brink_placement_random(brink_system *s, gsl_rng *random, double *packing);
 
 /** Whether cores overlap.  0; -1 no memory; 1 they do, those of i and j < i. */
 int brink_placement_overlap(const brink_system *s, uint32_t *i, uint32_t *j);

@@ -59,16 +59,17 @@ static int place_on_lattice(maker *m)
 
 static int place_at_random(maker *m)
 {
-    uint32_t placed = 0;
-    const int status = brink_placement_random(m->system, m->random, &placed);
+    double packing = 0;
+    const int status = brink_placement_random(m->system, m->random, &packing);
     if (status < 0)
         return complain_of_memory(m);
     if (status > 0)
         brink_complain(
             &m->source, m->scene->start_at,
-            "only %u of %u particles found room at random\n"
+            "no more particles find room at random where %.3g of the box is "
+            "full\n"
             "start from a lattice, or make the box wider or the density lower",
-            placed, m->scene->count);
+            packing);
     return -status;
 }
 
