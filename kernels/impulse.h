@@ -4,11 +4,11 @@
 /**
  * What a pair does at a step: the momentum change along the line of centres.
  *
- * Throughout: r = r1 - r2, the *actual* separation at the event, a few ulp off the
- * surface as it may be; v1, v2 the velocities, updated in place; m1, m2 > 0 finite.
- * With mu = m1 m2 / (m1 + m2) and b = r.(v1 - v2), the energy of the radial motion is
- * mu b^2 / (2 r.r).  Nothing here depends on r having the length of the step, so the
- * energy is right wherever the pair was put.
+ * Throughout: r = r1 - r2, the *actual* separation at the event, a few ulp off
+ * the surface as it may be; v1, v2 the velocities, updated in place; m1, m2 > 0
+ * finite. With mu = m1 m2 / (m1 + m2) and b = r.(v1 - v2), the energy of the
+ * radial motion is mu b^2 / (2 r.r).  Nothing here depends on r having the length
+ * of the step, so the energy is right wherever the pair was put.
  */
 #include "step.h"
 #ifdef __cplusplus
@@ -24,11 +24,11 @@ double brink_core_impulse(const double r[3], double m1, double m2, double v1[3],
                           double v2[3]);
 
 /**
- * A finite step met in direction `way`, across which the potential energy rises by
- * `rise` (negative: falls).  The pair crosses if its radial energy suffices
+ * A finite step met in direction `way`, across which the potential energy rises
+ * by `rise` (negative: falls).  The pair crosses if its radial energy suffices
  * (mu b^2 / (2 r.r) > rise, decided exactly for the doubles given) and keeps its
- * direction with the radial energy less the rise; otherwise it is reflected.  After a
- * crossing b has the sign of `way`, after a reflection the other one.
+ * direction with the radial energy less the rise; otherwise it is reflected.
+ * After a crossing b has the sign of `way`, after a reflection the other one.
  *
  * Returns   1 crossed, 0 reflected; the virial r.dp in *virial.
  */
@@ -37,13 +37,14 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
                        double *virial);
 
 /**
- * The rim rule.  A captured pair that is on the rim with next to no radial velocity
- * bounces on the inside of a step at ever shorter intervals: below an angle of about
- * sqrt(eps) to the tangent the chord to the next bounce is lost in the rounding of r
- * itself, and time would stand still.  Where the angle is less than BRINK_RIM_ANGLE the
- * relative velocity is turned inward to just that angle, its magnitude, hence the
- * energy, and the pair's momentum kept; the angular momentum changes by
- * BRINK_RIM_ANGLE^2 / 2 = 2^-49 of itself, less than its rounding in a bounce or two.
+ * The rim rule.  A captured pair that is on the rim with next to no radial
+ * velocity bounces on the inside of a step at ever shorter intervals: below an
+ * angle of about sqrt(eps) to the tangent the chord to the next bounce is lost in
+ * the rounding of r itself, and time would stand still.  Where the angle is less
+ * than BRINK_RIM_ANGLE the relative velocity is turned inward to just that angle,
+ * its magnitude, hence the energy, and the pair's momentum kept; the angular
+ * momentum changes by BRINK_RIM_ANGLE^2 / 2 = 2^-49 of itself, less than its
+ * rounding in a bounce or two.
  *
  * Returns   1 if it turned the pair, 0 if the angle was large enough as it was.
  */

@@ -4,11 +4,11 @@
 /**
  * The logical state machine of a stepped potential [S16 sections 2-4].
  *
- * A potential is a list of steps at decreasing distance, each with the energy of a
- * pair inside it.  A pair's *level* is the number of steps it is inside of: 0 is
- * uncaptured.  The level is information of its own, set once from positions when a
- * configuration is first made and changed afterwards by executed transfer events
- * alone; no function here that moves a state looks at a position.
+ * A potential is a list of steps at decreasing distance, each with the energy of
+ * a pair inside it.  A pair's *level* is the number of steps it is inside of: 0
+ * is uncaptured.  The level is information of its own, set once from positions
+ * when a configuration is first made and changed afterwards by executed transfer
+ * events alone; no function here that moves a state looks at a position.
  */
 #ifdef __cplusplus
 extern "C" {
@@ -21,8 +21,8 @@ typedef struct brink_potential {
                             // finite, or +inf in the last one: a hard core
 } brink_potential;
 
-/** What happens to a pair at a step [S16 fig. 1].  The numbers are an order: events
- *  at one instant are executed in it, and files name them by it. */
+/** What happens to a pair at a step [S16 fig. 1].  The numbers are an order:
+ * events at one instant are executed in it, and files name them by it. */
 enum brink_event_kind {
     BRINK_CORE = 0,    // elastic reflection at an infinite step
     BRINK_CAPTURE = 1, // goes in by one step
@@ -30,7 +30,8 @@ enum brink_event_kind {
     BRINK_BOUNCE = 3   // reflected by a finite step, from either side
 };
 
-/** Which way a pair meets a step: the side it comes from is its level's business. */
+/** Which way a pair meets a step: the side it comes from is its level's business.
+ */
 enum brink_direction { BRINK_INWARD = -1, BRINK_OUTWARD = 1 };
 
 /** 1 if the potential is as described above, 0 otherwise. */
@@ -40,38 +41,42 @@ int brink_potential_is_valid(const brink_potential *p);
  *  NaN for any other level. */
 double brink_potential_energy(const brink_potential *p, int level);
 
-/** Number of levels a pair can be in: count + 1, or count where the innermost step is
- *  a hard core, which no pair is ever inside of. */
+/** Number of levels a pair can be in: count + 1, or count where the innermost
+ * step is a hard core, which no pair is ever inside of. */
 int brink_potential_levels(const brink_potential *p);
 
 /** Change of potential energy on crossing the next step inward or outward from
  *  `level`; +inf at a hard core; NaN where there is no such step. */
-double brink_step_rise(const brink_potential *p, int level, enum brink_direction way);
+double brink_step_rise(const brink_potential *p, int level,
+                       enum brink_direction way);
 
-/** The level that the separation r shows: how many steps have r.r < distance^2, by
- *  exact signs.  On a step's surface a pair counts as outside it.  For configurations
- *  when first made, and for those who want to see how often position is wrong. */
+/** The level that the separation r shows: how many steps have r.r < distance^2,
+ * by exact signs.  On a step's surface a pair counts as outside it.  For
+ * configurations when first made, and for those who want to see how often
+ * position is wrong. */
 int brink_step_level_at(const brink_potential *p, const double r[3]);
 
 /**
  * The state machine: one event applied to one level.
  *
  * Returns   1 and the new level in *next where the event is legal: capture from a
- *           level whose next step inward is finite (level + 1), release from a level
- *           above 0 (level - 1), bounce wherever there is a finite step to bounce
+ *           level whose next step inward is finite (level + 1), release from a
+ * level above 0 (level - 1), bounce wherever there is a finite step to bounce
  *           from, core where the next step inward is infinite (both: level kept);
  *           0 and *next = level for everything else, an illegal level included.
  */
-int brink_step_next(const brink_potential *p, int level, enum brink_event_kind event,
-                    int *next);
+int brink_step_next(const brink_potential *p, int level,
+                    enum brink_event_kind event, int *next);
 
 /**
- * The virtual states of [S16 section 4], by the same rule: the side of a virtual wall
- * (0 or 1) and the index of a cell along an axis change only by an executed crossing.
+ * The virtual states of [S16 section 4], by the same rule: the side of a virtual
+ * wall (0 or 1) and the index of a cell along an axis change only by an executed
+ * crossing.
  *
- * brink_side_next: the other side; returns 1, or 0 and *next = side if side is not 0/1.
- * brink_cell_next: cell + way along an axis of `cells` cells, wrapping round where it
- *                  is periodic; returns 1, or 0 and *next = cell where there is none.
+ * brink_side_next: the other side; returns 1, or 0 and *next = side if side is
+ * not 0/1. brink_cell_next: cell + way along an axis of `cells` cells, wrapping
+ * round where it is periodic; returns 1, or 0 and *next = cell where there is
+ * none.
  */
 int brink_side_next(int side, int *next);
 int brink_cell_next(int cell, int cells, int way, int periodic, int *next);

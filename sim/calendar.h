@@ -3,13 +3,13 @@
 #define BRINK_CALENDAR_H
 /**
  * The event queue: a fixed number of slots, each with one event or none, and the
- * earliest of them in O(1) (Paul 2007: J. Comput. Phys. 221, 615).  The year of the
- * clock is divided into days; today's events are in a small heap, those of later days
- * of this year in a list a day, those of later years in one list that is gone through
- * when the year turns.
+ * earliest of them in O(1) (Paul 2007: J. Comput. Phys. 221, 615).  The year of
+ * the clock is divided into days; today's events are in a small heap, those of
+ * later days of this year in a list a day, those of later years in one list that
+ * is gone through when the year turns.
  *
- * One order: (time, kind, i, j).  What comes out does not depend on when or in which
- * order things were put in.
+ * One order: (time, kind, i, j).  What comes out does not depend on when or in
+ * which order things were put in.
  */
 #include "clock.h"
 #include <stddef.h>
@@ -21,10 +21,11 @@ enum brink_entry_kind { // what a slot waits for; the order of simultaneous even
 };
 
 typedef struct brink_entry {
-    brink_instant when;  // BRINK_NEVER: none
-    uint32_t i, j;       // pair: i < j; cell: the particle, and axis * 2 + (way > 0)
+    brink_instant when; // BRINK_NEVER: none
+    uint32_t i, j; // pair: i < j; cell: the particle, and axis * 2 + (way > 0)
     uint32_t generation; // pair: the partner's, as the prediction knew it
-    uint32_t kind;       // enum brink_entry_kind
+    uint16_t kind;       // enum brink_entry_kind
+    uint16_t at_once;    // 1: was due when it was predicted; no part of the order
 } brink_entry;
 
 typedef struct brink_calendar {
@@ -36,25 +37,28 @@ typedef struct brink_calendar {
     brink_entry *entry; // per slot
     uint32_t *next;     // per slot: lists of the days and of later years
     uint32_t *previous;
-    uint32_t *place;    // per slot: heap position, or in which list
-    uint32_t *first;    // per day, and one more: later years
-    uint32_t *heap;     // slots, earliest first
+    uint32_t *place; // per slot: heap position, or in which list
+    uint32_t *first; // per day, and one more: later years
+    uint32_t *heap;  // slots, earliest first
     uint32_t heap_count;
 } brink_calendar;
 
 /** `days` is rounded up to a power of two, at most 2^30.  0, -1 no memory. */
-int brink_calendar_create(brink_calendar *c, uint32_t slots, double year, uint32_t days);
+int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
+                          uint32_t days);
 void brink_calendar_destroy(brink_calendar *c);
 const char *brink_calendar_is_valid(const brink_calendar *c);
 
 /** -1, 0, 1 in the one order of events. */
 int brink_entry_compare(const brink_entry *a, const brink_entry *b);
 
-/** Replaces what the slot holds.  The event must not lie before the last one taken by
- *  brink_calendar_next (an earlier one is put at once on top: time never runs back). */
-void brink_calendar_set(brink_calendar *c, uint32_t slot, const brink_entry *entry);
+/** Replaces what the slot holds.  The event must not lie before the last one
+ * taken by brink_calendar_next (an earlier one is put at once on top: time never
+ * runs back). */
+void brink_calendar_set(brink_calendar *c, uint32_t slot,
+                        const brink_entry *entry);
 
-/** The slot with the earliest event, which stays in it until it is set anew; slots where
- *  there is none.  Goes on to the day and year of that event. */
+/** The slot with the earliest event, which stays in it until it is set anew;
+ * slots where there is none.  Goes on to the day and year of that event. */
 uint32_t brink_calendar_next(brink_calendar *c);
 #endif

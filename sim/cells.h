@@ -2,29 +2,33 @@
 #ifndef BRINK_CELLS_H
 #define BRINK_CELLS_H
 /**
- * Who can meet whom: the box in cells, every particle in a list of one of them.  The
- * cell of a particle is a virtual state [S16 section 4]: set from position once, then
- * changed only by an executed crossing of a cell's wall.
+ * Who can meet whom: the box in cells, every particle in a list of one of them.
+ * The cell of a particle is a virtual state [S16 section 4]: set from position
+ * once, then changed only by an executed crossing of a cell's wall.
  *
- * An axis has at least three cells (one where the system has no such dimension).  With
- * four or more, cells are wider than the interaction and two particles in adjacent
- * cells are each other's nearest image.  With three, every cell is adjacent to every
- * other and a particle is looked for in three images: a particle travels at most a
- * third of the box between two crossings, so nothing within the interaction's range
- * (at most half the box) can come from any other image in the meantime.
+ * An axis has at least three cells (one where the system has no such dimension).
+ * With five or more, cells are wider than the interaction, and two particles in
+ * adjacent cells, at most 2/5 of the box apart, are each other's nearest image.
+ * (With four they can be half the box apart, where a rounding would decide which
+ * image is nearest.) With three, every cell is adjacent to every other and a
+ * particle is looked for in its three nearest images: a particle travels at most
+ * a third of the box between two crossings, a pair two thirds, and the fourth
+ * image would have to come a whole box nearer to be within the interaction's
+ * range, which is at most half the box.
  */
 #include "system.h"
 
 #define BRINK_NOBODY UINT32_MAX
 
 typedef struct brink_cells {
-    int count[3];             // cells along each axis
-    int images[3];            // images to look in: 1 or 3
-    uint32_t particles;       // number of them
-    uint32_t total;           // cells: count[0] * count[1] * count[2]
-    uint32_t *first;          // per cell: its first particle, or BRINK_NOBODY
+    int count[3];       // cells along each axis
+    int images[3];      // images to look in: 1 or 3
+    uint32_t particles; // number of them
+    uint32_t total;     // cells: count[0] * count[1] * count[2]
+    uint64_t *wall[3]; // per axis: the lower wall of each cell, and the box's end
+    uint32_t *first;   // per cell: its first particle, or BRINK_NOBODY
     uint32_t *next, *previous; // per particle: its neighbours in the list
-    uint32_t *cell;           // per particle: the logical state, x fastest
+    uint32_t *cell;            // per particle: the logical state, x fastest
 } brink_cells;
 
 /** A crossing: the axis of the wall and the way, -1 or +1. */
@@ -41,10 +45,10 @@ const char *brink_cells_is_valid(const brink_cells *c);
 /** Sets a particle's cell from a stored state (a checkpoint). */
 void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell);
 
-/** Time from `offset` in the current year until particle i meets the wall it is heading
- *  for, >= 0, and which; +inf where it never does. */
-double brink_cells_crossing(const brink_cells *c, const brink_system *system, uint32_t i,
-                            double offset, brink_crossing *crossing);
+/** Time from `offset` in the current year until particle i meets the wall it is
+ * heading for, >= 0, and which; +inf where it never does. */
+double brink_cells_crossing(const brink_cells *c, const brink_system *system,
+                            uint32_t i, double offset, brink_crossing *crossing);
 
 /** Executes a crossing.  Returns 1, or 0 where the state machine refuses it. */
 int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing);
@@ -52,8 +56,9 @@ int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing);
 /** The up to 27 cells adjacent to `cell`, itself included; the number of them. */
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27]);
 
-/** Those of them that a particle which has just come into `cell` by `crossing` was not
- *  adjacent to before: a face of up to 9, or all where an axis has three images. */
-int brink_cells_ahead(const brink_cells *c, uint32_t cell, brink_crossing crossing,
-                      uint32_t ahead[27]);
+/** Those of them that a particle which has just come into `cell` by `crossing`
+ * was not adjacent to before: a face of up to 9, or all where an axis has three
+ * images. */
+int brink_cells_ahead(const brink_cells *c, uint32_t cell,
+                      brink_crossing crossing, uint32_t ahead[27]);
 #endif

@@ -2,10 +2,10 @@
 #ifndef BRINK_CLOCK_H
 #define BRINK_CLOCK_H
 /**
- * Time that does not wear out.  An instant is a whole number of years and an offset
- * into the year; the year is a power of two, chosen once a run and of the order of a
- * mean free time, so the offset resolves the last event of a run of 10^12 as finely as
- * the first: to 2^-53 years.
+ * Time that does not wear out.  An instant is a whole number of years and an
+ * offset into the year; the year is a power of two, chosen once a run and of the
+ * order of a mean free time, so the offset resolves the last event of a run of
+ * 10^12 as finely as the first: to 2^-53 years.
  */
 #include <stdint.h>
 
@@ -16,8 +16,9 @@ typedef struct brink_instant {
 
 #define BRINK_NEVER ((brink_instant){INT64_MAX, 0.0})
 
-/** t + dt.  dt >= 0 or +inf; NEVER for +inf, for a sum beyond 2^62 years and where t is
- *  NEVER.  The sum is rounded once, to a double offset counted from t's own year. */
+/** t + dt.  dt >= 0 or +inf; NEVER for +inf, for a sum beyond 2^62 years and
+ * where t is NEVER.  The sum is rounded once, to a double offset counted from t's
+ * own year. */
 brink_instant brink_instant_after(double year, brink_instant t, double dt);
 
 /** -1, 0, 1 as a is before, at, after b. */
@@ -28,8 +29,10 @@ static inline int brink_instant_compare(brink_instant a, brink_instant b)
     return (a.offset > b.offset) - (a.offset < b.offset);
 }
 
-/** later - earlier, rounded: negative the other way round, +inf if `later` is NEVER. */
-double brink_instant_since(double year, brink_instant later, brink_instant earlier);
+/** later - earlier, rounded: negative the other way round, +inf if `later` is
+ * NEVER. */
+double brink_instant_since(double year, brink_instant later,
+                           brink_instant earlier);
 
 /** The time as one double, for people to read; never for the dynamics. */
 double brink_instant_time(double year, brink_instant t);

@@ -2,15 +2,17 @@
 #ifndef BRINK_RUN_H
 #define BRINK_RUN_H
 /**
- * The loop: take the next event, advance its particles, resolve it, predict again.
+ * The loop: take the next event, advance its particles, resolve it, predict
+ * again.
  *
- * Advanced from above piece by piece and looked at between pieces; a run of n events is
- * the same, bit for bit, in one piece or in many.  It knows of no file and no clock on
- * the wall, and calls nobody back.
+ * Advanced from above piece by piece and looked at between pieces; a run of n
+ * events is the same, bit for bit, in one piece or in many.  It knows of no file
+ * and no clock on the wall, and calls nobody back.
  */
 #include "calendar.h"
 #include "cells.h"
 #include "states.h"
+#include "sum.h"
 #include "system.h"
 
 enum brink_tier { BRINK_TIER_FAST, BRINK_TIER_PLAIN, BRINK_TIER_CR };
@@ -18,14 +20,17 @@ enum brink_tier { BRINK_TIER_FAST, BRINK_TIER_PLAIN, BRINK_TIER_CR };
 /** What a run has counted.  An event is one pair's; cells are counted apart. */
 typedef struct brink_tally {
     uint64_t core, capture, release, bounce, wall, cell;
-    uint64_t stale; // predictions that found their partner changed, and were made anew
+    uint64_t
+        stale; // predictions that found their partner changed, and were made anew
     // Anomalies: nothing is silent.
-    uint64_t clamped;  // events due at once, the pair already beyond the surface
-    uint64_t repeated; // events of the same pair at the same instant as its last
-    uint64_t rim;      // bounces turned inward by the rim rule of <brink/impulse.h>
-    uint64_t refused;  // refused by the state machine: stops the run
-    double virial, virial_carry; // sum of r.dp, compensated
-    double contact_error_max;    // max | |r| - distance | / distance at an event
+    uint64_t
+        clamped; // due when predicted: the pair was already beyond the surface
+    uint64_t zero_time; // at the same instant as the event before
+    uint64_t repeated;  // of these, those of the same pair as the event before
+    uint64_t rim; // bounces turned inward by the rim rule of <brink/impulse.h>
+    uint64_t refused;         // refused by the state machine: stops the run
+    brink_sum virial;         // of r.dp
+    double contact_error_max; // max | |r| - distance | / distance at an event
 } brink_tally;
 
 /** Pair and wall events. */
@@ -56,38 +61,44 @@ typedef struct brink_run {
     uint32_t idle;       // consecutive events that did not move the clock
     double energy_begin; // kinetic and potential when the run was made
     double momentum_begin[3];
+    double image[27][3]; // shifts to the images a particle is looked for in
+    int images;
     uint8_t *mark; // per particle, scratch: 1 while it is a known partner
 } brink_run;
 
 enum brink_run_status {
-    BRINK_RUN_REACHED,  // the target
-    BRINK_RUN_AT_REST,  // nothing will ever happen again; time targets are reached
-    BRINK_RUN_STUCK,    // events go on, the clock does not: see brink_run_diagnosis
-    BRINK_RUN_REFUSED,  // the state machine refused an event: see brink_run_diagnosis
+    BRINK_RUN_REACHED, // the target
+    BRINK_RUN_AT_REST, // nothing will ever happen again; time targets are reached
+    BRINK_RUN_STUCK, // events go on, the clock does not: see brink_run_diagnosis
+    BRINK_RUN_REFUSED, // the state machine refused an event: see
+                       // brink_run_diagnosis
     BRINK_RUN_NO_MEMORY
 };
 
-/** Takes over the system (which is empty afterwards) as a configuration first made:
- *  cells and levels from position, everything predicted.  0, -1 no memory. */
+/** Takes over the system (which is empty afterwards) as a configuration first
+ * made: cells and levels from position, everything predicted.  0, -1 no memory.
+ */
 int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier);
 void brink_run_destroy(brink_run *run);
 const char *brink_run_is_valid(const brink_run *run);
 
-/** Goes on until `events` events in all have been executed, or all events up to and at
- *  `until` (BRINK_NEVER: no such limit), whichever is first. */
+/** Goes on until `events` events in all have been executed, or all events up to
+ * and at `until` (BRINK_NEVER: no such limit), whichever is first. */
 enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
                                         brink_instant until);
 
-/** One or more lines on why a run stopped: the pair, its level, r and v in hex. */
-void brink_run_diagnosis(const brink_run *run, enum brink_run_status status, char *text,
-                         size_t size);
+/** One or more lines on why a run stopped: the pair, its level, r and v in hex.
+ */
+void brink_run_diagnosis(const brink_run *run, enum brink_run_status status,
+                         char *text, size_t size);
 
 double brink_run_time(const brink_run *run);
 double brink_run_energy(const brink_run *run); // kinetic and potential
 /** P = N k_B T / V + virial / (d V t); Z = P V / (N k_B T).  NaN at time 0. */
 double brink_run_pressure(const brink_run *run);
 double brink_run_compressibility(const brink_run *run);
-/** Mean time between events of a particle: N t / (2 events); +inf without events. */
+/** Mean time between events of a particle: N t / (2 events); +inf without events.
+ */
 double brink_run_mean_free_time(const brink_run *run);
 /** Coordinates of particle i now; the run is left as it is. */
 void brink_run_position(const brink_run *run, uint32_t i, double x[3]);

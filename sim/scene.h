@@ -2,7 +2,8 @@
 #ifndef BRINK_SCENE_H
 #define BRINK_SCENE_H
 /**
- * A scene: what is to be simulated, read from YAML, checked, every default filled in.
+ * A scene: what is to be simulated, read from YAML, checked, every default filled
+ * in.
  *
  *   title: text                          default ""
  *   seed: integer >= 0                   default 1
@@ -11,25 +12,20 @@
  *     number_density: N / V              a cube (square)
  *     packing_fraction: of the cores     a cube (square)
  *     size: [Lx, Ly, Lz]                 (two numbers in 2-D)
- *     periodic: [true, true, true]       default; walls are not there yet: false is refused
- *   species:
- *     NAME: {count: n, mass: m, diameter: d}
- *                                        mass default 1; diameter is short for a hard
- *                                        core with its like: steps [[d, .inf]]
- *   start: {lattice: fcc | sc | square | hexagonal} | {random: true} | {file: f.xyz}
- *                                        default fcc, in 2-D hexagonal; a file's path is
- *                                        relative to the scene's folder
- *   temperature: k_B T > 0               default 1; not with a file that has velocities
- *   potentials:
+ *     periodic: [true, true, true]       default; walls are not there yet: false
+ * is refused species: NAME: {count: n, mass: m, diameter: d} mass default 1;
+ * diameter is short for a hard core with its like: steps [[d, .inf]] start:
+ * {lattice: fcc | sc | square | hexagonal} | {random: true} | {file: f.xyz}
+ *                                        default fcc, in 2-D hexagonal; a file's
+ * path is relative to the scene's folder temperature: k_B T > 0 default 1; not
+ * with a file that has velocities potentials:
  *     - between: [A, B]
- *       steps: [[distance, energy inside it], ...]   outermost first; .inf: a hard core
- *                                        unlike pairs that are not given: see
- *                                        brink_scene_mix
- *   run: {events_per_particle: n} | {events: n} | {time: t}
- *                                        events / N; default {events_per_particle: 100}
- *   output: {trajectory: dt, checkpoint: seconds}
- *                                        both optional: frames every dt of simulated
- *                                        time; a checkpoint every so many seconds (60)
+ *       steps: [[distance, energy inside it], ...]   outermost first; .inf: a
+ * hard core unlike pairs that are not given: see brink_scene_mix run:
+ * {events_per_particle: n} | {events: n} | {time: t} events / N; default
+ * {events_per_particle: 100} output: {trajectory: dt, checkpoint: seconds} both
+ * optional: frames every dt of simulated time; a checkpoint every so many seconds
+ * (60)
  */
 #include "system.h"
 #include <stdio.h>
@@ -43,7 +39,11 @@ enum brink_lattice {
     BRINK_START_FILE
 };
 
-enum brink_target { BRINK_TARGET_PER_PARTICLE, BRINK_TARGET_EVENTS, BRINK_TARGET_TIME };
+enum brink_target {
+    BRINK_TARGET_PER_PARTICLE,
+    BRINK_TARGET_EVENTS,
+    BRINK_TARGET_TIME
+};
 
 typedef struct brink_scene {
     char *title;
@@ -66,22 +66,21 @@ typedef struct brink_scene {
 } brink_scene;
 
 /**
- * Reads and checks a scene.  Returns the number of errors, 0 for a good scene; all errors
- * of the file are written to `errors`, each as
- *     file:line:column: error: what is wrong
- *       the line
- *          ^ what to do
- * With errors, *scene is empty.  Never crashes on any bytes; a file over 1 MiB, a
- * directory, an empty file, binary rubbish are errors like any other.
+ * Reads and checks a scene.  Returns the number of errors, 0 for a good scene;
+ * all errors of the file are written to `errors`, each as file:line:column:
+ * error: what is wrong the line ^ what to do With errors, *scene is empty.  Never
+ * crashes on any bytes; a file over 1 MiB, a directory, an empty file, binary
+ * rubbish are errors like any other.
  */
 int brink_scene_read(const char *path, brink_scene *scene, FILE *errors);
 
-/** The same from memory; `name` stands for the file in messages and `folder` ("" for
- *  the working one) is what a start file is relative to. */
-int brink_scene_parse(const char *text, size_t size, const char *name, const char *folder,
-                      brink_scene *scene, FILE *errors);
+/** The same from memory; `name` stands for the file in messages and `folder` (""
+ * for the working one) is what a start file is relative to. */
+int brink_scene_parse(const char *text, size_t size, const char *name,
+                      const char *folder, brink_scene *scene, FILE *errors);
 void brink_scene_destroy(brink_scene *scene);
 
-/** Total number of events the scene asks for with this target, UINT64_MAX if a time. */
+/** Total number of events the scene asks for with this target, UINT64_MAX if a
+ * time. */
 uint64_t brink_scene_events(const brink_scene *scene);
 #endif

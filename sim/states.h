@@ -2,10 +2,10 @@
 #ifndef BRINK_STATES_H
 #define BRINK_STATES_H
 /**
- * The logical state of every pair [S16 section 2]: its level in its potential.  Only
- * pairs at a level above 0 are stored, each with both its particles, so memory goes with
- * the number of captured pairs and a particle's partners are at hand when it is looked
- * at.  Levels change by brink_states_apply alone.
+ * The logical state of every pair [S16 section 2]: its level in its potential.
+ * Only pairs at a level above 0 are stored, each with both its particles, so
+ * memory goes with the number of captured pairs and a particle's partners are at
+ * hand when it is looked at.  Levels change by brink_states_apply alone.
  */
 #include "system.h"
 
@@ -26,22 +26,25 @@ typedef struct brink_states {
     uint32_t used;
     int species_count;
     int levels;     // the most levels any potential has
-    int64_t *pairs; // pairs at a level: [(a * species_count + b) * levels + level],
-                    // a <= b; level 0 is not counted
+    int64_t *pairs; // pairs at a level: [(a * species_count + b) * levels +
+                    // level], a <= b; level 0 is not counted
 } brink_states;
 
-int brink_states_create(brink_states *s, const brink_system *system); // 0, -1 no memory
+int brink_states_create(brink_states *s,
+                        const brink_system *system); // 0, -1 no memory
 void brink_states_destroy(brink_states *s);
-const char *brink_states_is_valid(const brink_states *s, const brink_system *system);
+const char *brink_states_is_valid(const brink_states *s,
+                                  const brink_system *system);
 
 int brink_states_level(const brink_states *s, uint32_t i, uint32_t j);
 
-/** Sets a pair's level when a configuration is first made or loaded.  0, -1 no memory. */
-int brink_states_set(brink_states *s, const brink_system *system, uint32_t i, uint32_t j,
-                     int level);
+/** Sets a pair's level when a configuration is first made or loaded.  0, -1 no
+ * memory. */
+int brink_states_set(brink_states *s, const brink_system *system, uint32_t i,
+                     uint32_t j, int level);
 
-/** Applies an executed event.  0; -1 no memory; 1 refused by the state machine: the
- *  event was illegal for the pair's level, and nothing has changed. */
+/** Applies an executed event.  0; -1 no memory; 1 refused by the state machine:
+ * the event was illegal for the pair's level, and nothing has changed. */
 int brink_states_apply(brink_states *s, const brink_system *system, uint32_t i,
                        uint32_t j, enum brink_event_kind event);
 

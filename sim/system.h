@@ -4,33 +4,37 @@
 /**
  * Particles, their species and potentials, and the box they are in.
  *
- * A position is a 64-bit fraction of the box: the resolution, length / 2^64, is the same
- * everywhere in it, periodic wrapping is the wrap-around of unsigned integers, and the
- * difference of two positions as a signed integer is the nearest image.  Against doubles
- * counted from an origin that is exact translation invariance, and 2048 times the
- * resolution at the far side of the box.
+ * A position is a 64-bit fraction of the box: the resolution, length / 2^64, is
+ * the same everywhere in it, periodic wrapping is the wrap-around of unsigned
+ * integers, and the difference of two positions as a signed integer is the
+ * nearest image.  Against doubles counted from an origin that is exact
+ * translation invariance, and 2048 times the resolution at the far side of the
+ * box.
  *
- * Each particle has a time of its own, when its position was last written down; it moves
- * in a straight line from there.  That time is an offset into the current year; when the
- * year turns, every particle is brought to its first instant.
+ * Each particle has a time of its own, when its position was last written down;
+ * it moves in a straight line from there.  That time is an offset into the
+ * current year; when the year turns, every particle is brought to its first
+ * instant.
  */
 #include "clock.h"
 #include <brink/step.h>
 #include <stddef.h>
 
 typedef struct brink_particle {
-    uint64_t x[3];       // position: fraction of the box's length, in units of 2^-64
-    double v[3];         // velocity
-    double since;        // offset in the current year at which x holds
-    uint32_t generation; // changes of v so far: a prediction that knew fewer is stale
+    uint64_t x[3]; // position: fraction of the box's length, in units of 2^-64
+    double v[3];   // velocity
+    double since;  // offset in the current year at which x holds
+    uint32_t
+        generation; // changes of v so far: a prediction that knew fewer is stale
     uint32_t species;
 } brink_particle; // 64 bytes, a cache line
 
 typedef struct brink_species {
     char name[16];
-    double mass;     // > 0
-    double diameter; // distance of the innermost step with its like: what is drawn
-    uint32_t count;  // particles of it: they are numbered species by species
+    double mass; // > 0
+    double
+        diameter;   // distance of the innermost step with its like: what is drawn
+    uint32_t count; // particles of it: they are numbered species by species
 } brink_species;
 
 typedef struct brink_system {
@@ -47,14 +51,17 @@ typedef struct brink_system {
     double range;               // the largest distance of any step
 } brink_system;
 
-/** Makes a system of `count` particles at rest at the origin, all of species 0, with
- *  deep copies of the tables.  Returns 0, or -1 if memory is out (nothing is kept). */
+/** Makes a system of `count` particles at rest at the origin, all of species 0,
+ * with deep copies of the tables.  Returns 0, or -1 if memory is out (nothing is
+ * kept). */
 int brink_system_create(brink_system *s, int dimensions, const double length[3],
                         double year, uint32_t count, int species_count,
-                        const brink_species *species, const brink_potential *potential);
+                        const brink_species *species,
+                        const brink_potential *potential);
 void brink_system_destroy(brink_system *s);
 
-/** Bits that are not what they should be, as one sentence, or NULL if all is well. */
+/** Bits that are not what they should be, as one sentence, or NULL if all is
+ * well. */
 const char *brink_system_is_valid(const brink_system *s);
 
 static inline const brink_potential *
@@ -64,14 +71,17 @@ brink_system_potential(const brink_system *s, uint32_t i, uint32_t j)
                          s->particle[j].species];
 }
 
-/** Position as a coordinate in [0, length) and back; any finite coordinate is wrapped. */
+/** Position as a coordinate in [0, length) and back; any finite coordinate is
+ * wrapped. */
 double brink_system_coordinate(const brink_system *s, int axis, uint64_t x);
-uint64_t brink_system_fraction(const brink_system *s, int axis, double coordinate);
+uint64_t brink_system_fraction(const brink_system *s, int axis,
+                               double coordinate);
 
 /** Moves particle i along its line to `offset` in the current year. */
 void brink_system_advance(brink_system *s, uint32_t i, double offset);
 
-/** Turns to year `epoch` >= the current one: every particle is moved to its beginning. */
+/** Turns to year `epoch` >= the current one: every particle is moved to its
+ * beginning. */
 void brink_system_turn(brink_system *s, int64_t epoch);
 
 /** Nearest-image separation r = x_i - x_j at `offset` in the current year. */
@@ -82,8 +92,8 @@ void brink_system_separation(const brink_system *s, uint32_t i, uint32_t j,
 double brink_system_kinetic_energy(const brink_system *s);
 void brink_system_momentum(const brink_system *s, double p[3]);
 
-/** k_B T = 2 K / (d (N - 1)): momentum is conserved, so d degrees of freedom are not
- *  thermal (for N = 1: 2 K / d). */
+/** k_B T = 2 K / (d (N - 1)): momentum is conserved, so d degrees of freedom are
+ * not thermal (for N = 1: 2 K / d). */
 double brink_system_temperature(const brink_system *s);
 double brink_system_volume(const brink_system *s);
 #endif

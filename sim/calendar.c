@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "calendar.h"
+#include <stdlib.h>
+#include <string.h>
+
+// A slot's place: NONE, a position in the heap, or IN_LIST + the number of the
+// list. Heap positions stay below IN_LIST because slots do.
+#define NONE    UINT32_MAX
+#define IN_LIST UINT32_C(0x80000000)
+
+int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
+                          uint32_t days)
+{
+    memset(c, 0, sizeof *c);
+    c->slots = slots;
+    c->days = 1;
+    while (c->days < days && c->days < UINT32_C(1) << 30)
+        c->days *= 2;
+    c->day = year / c->days; // powers of two: exact
+    c->entry = malloc(slots * sizeof *c->entry);
+    c->next = malloc(slots * sizeof *c->next);
+    c->previous = malloc(slots * sizeof *c->previous);
+    c->place = malloc(slots * sizeof *c->place);
+    c->heap = malloc(slots * sizeof *c->heap);
+    c->first = malloc((c->days + 1) * sizeof *c->first);
+    if (!c->entry || !c->next || !c->previous || !c->place || !c->heap ||
+        !c->first) {
+        brink_calendar_destroy(c);
+        return -1;
+    }
+    memset(c->place, 0xff, slots * sizeof *c->place);
+    memset(c->first, 0xff, (c->days + 1) * sizeof *c->first);
+    for (uint32_t slot = 0; slot < slots; slot++)
+        c->entry[slot] = (brink_entry){.when = BRINK_NEVER};
+    return 0;
+}
+
+void brink_calendar_destroy(brink_calendar *c)
+{
+    free(c->entry);
+    free(c->next);
+    free(c->previous);
+    free(c->place);
+    free(c->heap);
+    free(c->first);
+    memset(c, 0, sizeof *c);
+}
+
+int brink_entry_compare(const brink_entry *a, const brink_entry *b)
+{
+    const int time = brink_instant_compare(a->when, b->when);
+    if (time)
+        return time;
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    if (a->i != b->i)
+        return a->i < b->i ? -1 : 1;
+    return (a->j > b->j) - (a->j < b->j);
+}
+
+static int earlier(const brink_calendar *c, uint32_t a, uint32_t b)
+{
+    return brink_entry_compare(&c->entry[a], &c->entry[b]) < 0;
+}
+
+static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
+{
+    c->heap[position] = slot;
+    c->place[slot] = position;
+}
+
+// Moves the hole at `position` to where `slot` belongs, and fills it.
+static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
+{
+    while (position > 0 && earlier(c, slot, c->heap[(position - 1) / 2])) {
+        heap_put(c, position, c->heap[(position - 1) / 2]);
+        position = (position - 1) / 2;
+    }
+    for (;;) {
+        uint32_t child = 2 * position + 1;
+        if (child >= c->heap_count)
+            break;
+        if (child + 1 < c->heap_count &&
+            earlier(c, c->heap[child + 1], c->heap[child]))
+            child++;
+        if (!earlier(c, c->heap[child], slot))
+            break;
+        heap_put(c, position, c->heap[child]);
+        position = child;
+    }
+    heap_put(c, position, slot);
+}
+
+static void list_add(brink_calendar *c, uint32_t list, uint32_t slot)
+{
+    const uint32_t head = c->first[list];
+    c->next[slot] = head;
+    c->previous[slot] = NONE;
+    if (head != NONE)
+        c->previous[head] = slot;
+    c->first[list] = slot;
+    c->place[slot] = IN_LIST + list;
+}
+
+// Files a slot that is nowhere under the time of its entry.
+static void file_under(brink_calendar *c, uint32_t slot)
+{
+    const brink_instant when = c->entry[slot].when;
+    if (when.epoch == INT64_MAX)
+        return;
+    if (when.epoch > c->epoch) {
+        list_add(c, c->days, slot);
+        return;
+    }
+    // Powers of two: the quotient is exact, and below `days` because offset <
+    // year.
+    const uint32_t day = (uint32_t)(when.offset / c->day);
+    if (when.epoch == c->epoch && day > c->today)
+        list_add(c, day, slot);
+    else
+        heap_settle(c, c->heap_count++, slot);
+}
+
+static void take_out(brink_calendar *c, uint32_t slot)
+{
+    const uint32_t place = c->place[slot];
+    if (place == NONE)
+        return;
+    if (place < IN_LIST) {
+        const uint32_t last = c->heap[--c->heap_count];
+        if (last != slot)
+            heap_settle(c, place, last);
+    } else {
+        const uint32_t before = c->previous[slot], after = c->next[slot];
+        if (before != NONE)
+            c->next[before] = after;
+        else
+            c->first[place - IN_LIST] = after;
+        if (after != NONE)
+            c->previous[after] = before;
+    }
+    c->place[slot] = NONE;
+}
+
+void brink_calendar_set(brink_calendar *c, uint32_t slot,
+                        const brink_entry *entry)
+{
+    take_out(c, slot);
+    c->entry[slot] = *entry;
+    file_under(c, slot);
+}
+
+// Empties a list and files each of its slots anew.
+static void refile(brink_calendar *c, uint32_t list)
+{
+    uint32_t slot = c->first[list];
+    c->first[list] = NONE;
+    while (slot != NONE) {
+        const uint32_t next = c->next[slot];
+        c->place[slot] = NONE;
+        file_under(c, slot);
+        slot = next;
+    }
+}
+
+// Goes on to the first year that has an event; 0 if there is none.
+static int turn_year(brink_calendar *c)
+{
+    int64_t epoch = INT64_MAX;
+    for (uint32_t slot = c->first[c->days]; slot != NONE; slot = c->next[slot])
+        if (c->entry[slot].when.epoch < epoch)
+            epoch = c->entry[slot].when.epoch;
+    if (epoch == INT64_MAX)
+        return 0;
+    c->epoch = epoch;
+    c->today = 0;
+    refile(c, c->days);
+    return 1;
+}
+
+uint32_t brink_calendar_next(brink_calendar *c)
+{
+    while (c->heap_count == 0) {
+        if (c->today + 1 < c->days)
+            refile(c, ++c->today);
+        else if (!turn_year(c))
+            return c->slots;
+    }
+    return c->heap[0];
+}
+
+static const char *heap_is_valid(const brink_calendar *c)
+{
+    for (uint32_t p = 0; p < c->heap_count; p++) {
+        if (c->heap[p] >= c->slots || c->place[c->heap[p]] != p)
+            return "the heap and the slots disagree about a place";
+        if (p > 0 && earlier(c, c->heap[p], c->heap[(p - 1) / 2]))
+            return "the heap is out of order";
+    }
+    return NULL;
+}
+
+const char *brink_calendar_is_valid(const brink_calendar *c)
+{
+    uint32_t filed = c->heap_count;
+    for (uint32_t list = 0; list <= c->days; list++) {
+        uint32_t before = NONE;
+        for (uint32_t s = c->first[list]; s != NONE; before = s, s = c->next[s]) {
+            if (s >= c->slots || c->place[s] != IN_LIST + list ||
+                c->previous[s] != before)
+                return "a list and its slots disagree";
+            const brink_instant when = c->entry[s].when;
+            if (list == c->days ? when.epoch <= c->epoch
+                                : when.epoch != c->epoch || list <= c->today ||
+                                      (uint32_t)(when.offset / c->day) != list)
+                return "a slot is in the list of another day";
+            if (++filed > c->slots)
+                return "a list runs in a circle";
+        }
+    }
+    uint32_t waiting = 0;
+    for (uint32_t s = 0; s < c->slots; s++)
+        waiting += c->entry[s].when.epoch != INT64_MAX;
+    if (waiting != filed)
+        return "an event is filed nowhere, or nowhere's is filed";
+    return heap_is_valid(c);
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "cells.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Cells are a little wider than the interaction, so that a captured pair is
+// adjacent wherever rounding has put it: 2^-20 against errors of some 2^-50.
+#define SLACK (1.0 + 0x1p-20)
+
+// As many cells as particles if the interaction allows: an empty cell costs a
+// look and a crossing, a full one its particles.
+static void choose(brink_cells *c, const brink_system *s)
+{
+    const double share =
+        pow(brink_system_volume(s) / (double)s->count, 1.0 / s->dimensions);
+    const double width = fmax(s->range * SLACK, share);
+    for (int a = 0; a < 3; a++) {
+        const double fit = floor(s->length[a] / width);
+        const int there = a < s->dimensions;
+        c->count[a] = !there ? 1 : fit < 5 ? 3 : (int)fmin(fit, 0x1p20);
+        c->images[a] = there && fit < 5 ? 3 : 1;
+    }
+    c->total = (uint32_t)(c->count[0] * c->count[1] * c->count[2]);
+}
+
+static int build_walls(brink_cells *c)
+{
+    for (int a = 0; a < 3; a++) {
+        const unsigned n = (unsigned)c->count[a];
+        c->wall[a] = malloc((n + 1) * sizeof *c->wall[a]);
+        if (!c->wall[a])
+            return -1;
+        for (unsigned k = 0; k <= n;
+             k++) // ceil(k 2^64 / n), the end being 0 again
+            c->wall[a][k] =
+                (uint64_t)((((unsigned __int128)k << 64) + n - 1) / n);
+    }
+    return 0;
+}
+
+static uint32_t cell_at(const brink_cells *c, const uint64_t x[3])
+{
+    uint32_t index[3];
+    for (int a = 0; a < 3; a++)
+        index[a] =
+            (uint32_t)((x[a] * (unsigned __int128)(unsigned)c->count[a]) >> 64);
+    return index[0] +
+           (uint32_t)c->count[0] * (index[1] + (uint32_t)c->count[1] * index[2]);
+}
+
+static void enter(brink_cells *c, uint32_t i, uint32_t cell)
+{
+    const uint32_t head = c->first[cell];
+    c->next[i] = head;
+    c->previous[i] = BRINK_NOBODY;
+    if (head != BRINK_NOBODY)
+        c->previous[head] = i;
+    c->first[cell] = i;
+    c->cell[i] = cell;
+}
+
+static void leave(brink_cells *c, uint32_t i)
+{
+    const uint32_t before = c->previous[i], after = c->next[i];
+    if (before != BRINK_NOBODY)
+        c->next[before] = after;
+    else
+        c->first[c->cell[i]] = after;
+    if (after != BRINK_NOBODY)
+        c->previous[after] = before;
+}
+
+int brink_cells_create(brink_cells *c, const brink_system *system)
+{
+    memset(c, 0, sizeof *c);
+    c->particles = system->count;
+    choose(c, system);
+    c->first = malloc(c->total * sizeof *c->first);
+    c->next = malloc(c->particles * sizeof *c->next);
+    c->previous = malloc(c->particles * sizeof *c->previous);
+    c->cell = malloc(c->particles * sizeof *c->cell);
+    if (!c->first || !c->next || !c->previous || !c->cell || build_walls(c)) {
+        brink_cells_destroy(c);
+        return -1;
+    }
+    memset(c->first, 0xff, c->total * sizeof *c->first);
+    for (uint32_t i = 0; i < c->particles; i++)
+        enter(c, i, cell_at(c, system->particle[i].x));
+    return 0;
+}
+
+void brink_cells_destroy(brink_cells *c)
+{
+    for (int a = 0; a < 3; a++)
+        free(c->wall[a]);
+    free(c->first);
+    free(c->next);
+    free(c->previous);
+    free(c->cell);
+    memset(c, 0, sizeof *c);
+}
+
+const char *brink_cells_is_valid(const brink_cells *c)
+{
+    uint32_t filed = 0;
+    for (uint32_t cell = 0; cell < c->total; cell++) {
+        uint32_t before = BRINK_NOBODY;
+        for (uint32_t i = c->first[cell]; i != BRINK_NOBODY; i = c->next[i]) {
+            if (i >= c->particles || c->cell[i] != cell ||
+                c->previous[i] != before)
+                return "a cell's list and its particles disagree";
+            if (++filed > c->particles)
+                return "a cell's list runs in a circle";
+            before = i;
+        }
+    }
+    return filed == c->particles ? NULL : "a particle is in no cell";
+}
+
+void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell)
+{
+    leave(c, i);
+    enter(c, i, cell);
+}
+
+static void split(const brink_cells *c, uint32_t cell, int index[3])
+{
+    const uint32_t nx = (uint32_t)c->count[0], ny = (uint32_t)c->count[1];
+    index[0] = (int)(cell % nx);
+    index[1] = (int)(cell / nx % ny);
+    index[2] = (int)(cell / nx / ny);
+}
+
+static uint32_t join(const brink_cells *c, const int index[3])
+{
+    return (uint32_t)(index[0] +
+                      c->count[0] * (index[1] + c->count[1] * index[2]));
+}
+
+double brink_cells_crossing(const brink_cells *c, const brink_system *system,
+                            uint32_t i, double offset, brink_crossing *crossing)
+{
+    const brink_particle *p = &system->particle[i];
+    double soonest = (double)INFINITY;
+    int index[3];
+    split(c, c->cell[i], index);
+    for (int a = 0; a < system->dimensions; a++) {
+        const double v = p->v[a];
+        if (v == 0)
+            continue;
+        // The half-space [S16 eq. 4] of the wall ahead; its rate -|v| is
+        // negative.
+        const int up = v > 0;
+        const uint64_t wall = c->wall[a][index[a] + up];
+        const int64_t units = (int64_t)(up ? wall - p->x[a] : p->x[a] - wall);
+        const double gap = (double)units * system->unit[a];
+        const double t = gap / fabs(v) - (offset - p->since);
+        if (t < soonest) {
+            soonest = t;
+            *crossing = (brink_crossing){a, up ? 1 : -1};
+        }
+    }
+    return fmax(soonest, 0.0);
+}
+
+int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
+{
+    int index[3];
+    split(c, c->cell[i], index);
+    if (!brink_cell_next(index[crossing.axis], c->count[crossing.axis],
+                         crossing.way, 1, &index[crossing.axis]))
+        return 0;
+    brink_cells_place(c, i, join(c, index));
+    return 1;
+}
+
+// The cells of the block low..high around `cell`, wrapped round.
+static int block(const brink_cells *c, uint32_t cell, const int low[3],
+                 const int high[3], uint32_t out[27])
+{
+    int index[3], side[3][3], n = 0;
+    split(c, cell, index);
+    for (int a = 0; a < 3; a++)
+        for (int d = low[a]; d <= high[a]; d++) {
+            const int k = index[a] + d;
+            side[a][d - low[a]] = k < 0              ? k + c->count[a]
+                                  : k >= c->count[a] ? k - c->count[a]
+                                                     : k;
+        }
+    for (int z = 0; z <= high[2] - low[2]; z++)
+        for (int y = 0; y <= high[1] - low[1]; y++)
+            for (int x = 0; x <= high[0] - low[0]; x++)
+                out[n++] = join(c, (int[3]){side[0][x], side[1][y], side[2][z]});
+    return n;
+}
+
+static void reach(const brink_cells *c, int low[3], int high[3])
+{
+    for (int a = 0; a < 3; a++) {
+        high[a] = c->count[a] > 1;
+        low[a] = -high[a];
+    }
+}
+
+int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
+{
+    int low[3], high[3];
+    reach(c, low, high);
+    return block(c, cell, low, high, around);
+}
+
+int brink_cells_ahead(const brink_cells *c, uint32_t cell,
+                      brink_crossing crossing, uint32_t ahead[27])
+{
+    int low[3], high[3];
+    reach(c, low, high);
+    if (c->images[crossing.axis] == 1)
+        low[crossing.axis] = high[crossing.axis] = crossing.way;
+    return block(c, cell, low, high, ahead);
+}
