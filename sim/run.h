@@ -79,6 +79,10 @@ enum brink_run_status {
  * made: cells and levels from position, everything predicted.  0, -1 no memory.
  */
 int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier);
+/** The same without levels and predictions, for those who have them stored: the
+ * caller fills states, cells, calendar, tally and clock in. */
+int brink_run_assemble(brink_run *run, brink_system *system,
+                       enum brink_tier tier);
 void brink_run_destroy(brink_run *run);
 const char *brink_run_is_valid(const brink_run *run);
 

@@ -115,15 +115,30 @@ uint64_t brink_system_fraction(const brink_system *s, int axis, double coordinat
     return units(f - rint(f));
 }
 
+// How far p gets in dt along an axis, in units, whole turns round the box left
+// out.
+static uint64_t flight(const brink_system *s, const brink_particle *p, int axis,
+                       double dt)
+{
+    const double f = p->v[axis] * dt / s->length[axis];
+    return units(f - rint(f)); // the difference is exact
+}
+
 void brink_system_advance(brink_system *s, uint32_t i, double offset)
 {
     brink_particle *p = &s->particle[i];
-    const double dt = offset - p->since;
-    for (int a = 0; a < s->dimensions; a++) {
-        const double f = p->v[a] * dt / s->length[a];
-        p->x[a] += units(f - rint(f)); // the difference is exact
-    }
+    for (int a = 0; a < s->dimensions; a++)
+        p->x[a] += flight(s, p, a, offset - p->since);
     p->since = offset;
+}
+
+void brink_system_position(const brink_system *s, uint32_t i, double offset,
+                           double x[3])
+{
+    const brink_particle *p = &s->particle[i];
+    for (int a = 0; a < 3; a++)
+        x[a] = brink_system_coordinate(
+            s, a, p->x[a] + flight(s, p, a, offset - p->since));
 }
 
 void brink_system_turn(brink_system *s, int64_t epoch)

@@ -80,6 +80,11 @@ uint64_t brink_system_fraction(const brink_system *s, int axis,
 /** Moves particle i along its line to `offset` in the current year. */
 void brink_system_advance(brink_system *s, uint32_t i, double offset);
 
+/** Coordinates of particle i at `offset`, which may lie beyond the year's end;
+ * the system is left as it is. */
+void brink_system_position(const brink_system *s, uint32_t i, double offset,
+                           double x[3]);
+
 /** Turns to year `epoch` >= the current one: every particle is moved to its
  * beginning. */
 void brink_system_turn(brink_system *s, int64_t epoch);

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+#include "run.h"
+#include <brink/event_time.h>
+#include <brink/impulse.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef double event_time(const double r[3], const double v[3], double sigma);
+
+static const struct {
+    event_time *intersection, *disjoint;
+} tiers[] = {
+    [BRINK_TIER_FAST] = {brink_intersection_time_fast, brink_disjoint_time_fast},
+    [BRINK_TIER_PLAIN] = {brink_intersection_time, brink_disjoint_time},
+    [BRINK_TIER_CR] = {brink_intersection_time_cr, brink_disjoint_time_cr},
+};
+
+// The search for a slot's next pair event: the earliest found so far.
+typedef struct search {
+    const brink_run *run;
+    uint32_t i;
+    double offset;  // of now, in the current year
+    double soonest; // offset + dt of `best`; its instant follows from this sum
+    brink_entry best;
+} search;
+
+static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
+{
+    const double sum = s->offset + dt;
+    if (!(sum <= s->soonest) || isinf(sum))
+        return;
+    const brink_run *run = s->run;
+    const brink_instant now = {run->system.epoch, s->offset};
+    const brink_entry found = {
+        .when = brink_instant_after(run->system.year, now, dt),
+        .i = s->i < k ? s->i : k,
+        .j = s->i < k ? k : s->i,
+        .generation = run->system.particle[k].generation,
+        .kind = (uint16_t)kind,
+        .at_once = dt == 0,
+    };
+    if (brink_entry_compare(&found, &s->best) < 0) {
+        s->best = found;
+        s->soonest = sum;
+    }
+}
+
+// Relative position and velocity of i and k, as i's prediction sees them.
+static void relative(const search *s, uint32_t k, double r[3], double v[3])
+{
+    const brink_system *system = &s->run->system;
+    brink_system_separation(system, s->i, k, s->offset, r);
+    for (int a = 0; a < 3; a++)
+        v[a] = system->particle[s->i].v[a] - system->particle[k].v[a];
+    // With images the particles can drift past half the box from where they were.
+    for (int a = 0; a < system->dimensions; a++)
+        if (s->run->cells.images[a] > 1)
+            r[a] -= system->length[a] * rint(r[a] / system->length[a]);
+}
+
+// A captured pair can meet the step inside and the step around it [S16 alg. 3].
+static void predict_partner(search *s, uint32_t k, int level)
+{
+    const brink_potential *p = brink_system_potential(&s->run->system, s->i, k);
+    const enum brink_tier tier = s->run->tier;
+    double r[3], v[3];
+    relative(s, k, r, v);
+    if (level < p->count)
+        offer(s, k, tiers[tier].intersection(r, v, p->distance[level]),
+              BRINK_ENTRY_INWARD);
+    offer(s, k, tiers[tier].disjoint(r, v, p->distance[level - 1]),
+          BRINK_ENTRY_OUTWARD);
+}
+
+// An uncaptured pair can meet the outermost step, in any image.
+static void predict_stranger(search *s, uint32_t k)
+{
+    const brink_run *run = s->run;
+    const brink_potential *p = brink_system_potential(&run->system, s->i, k);
+    double r[3], v[3];
+    relative(s, k, r, v);
+    for (int m = 0; m < run->images; m++) {
+        const double *shift = run->image[m];
+        const double image[3] = {r[0] + shift[0], r[1] + shift[1],
+                                 r[2] + shift[2]};
+        offer(s, k, tiers[run->tier].intersection(image, v, p->distance[0]),
+              BRINK_ENTRY_INWARD);
+    }
+}
+
+static void mark_partners(brink_run *run, uint32_t i, uint8_t mark)
+{
+    const brink_states *states = &run->states;
+    for (uint32_t n = states->first[i]; n != BRINK_NO_LINK;
+         n = states->link[n].next)
+        run->mark[states->link[n].partner] = mark;
+}
+
+static void predict_strangers(search *s, const uint32_t *cells, int count)
+{
+    const brink_run *run = s->run;
+    for (int n = 0; n < count; n++)
+        for (uint32_t k = run->cells.first[cells[n]]; k != BRINK_NOBODY;
+             k = run->cells.next[k])
+            if (k != s->i && !run->mark[k])
+                predict_stranger(s, k);
+}
+
+// Sets particle i's slot to its first pair event.  Particle i is at `offset`.
+static void predict(brink_run *run, uint32_t i, double offset)
+{
+    const brink_states *states = &run->states;
+    search s = {run, i, offset, (double)INFINITY, {.when = BRINK_NEVER}};
+    uint32_t around[27];
+    const int cells = brink_cells_around(&run->cells, run->cells.cell[i], around);
+    for (uint32_t n = states->first[i]; n != BRINK_NO_LINK;
+         n = states->link[n].next)
+        predict_partner(&s, states->link[n].partner, states->link[n].level);
+    mark_partners(run, i, 1);
+    predict_strangers(&s, around, cells);
+    mark_partners(run, i, 0);
+    brink_calendar_set(&run->calendar, i, &s.best);
+}
+
+// Particle i has just come by `crossing`: only those ahead of it are new.  Its
+// event with somebody it knew already stands, stale or not: a stale one is never
+// too late.
+static void predict_ahead(brink_run *run, uint32_t i, double offset,
+                          brink_crossing crossing)
+{
+    const brink_entry *known = &run->calendar.entry[i];
+    const brink_instant new_year = {run->system.epoch, 0.0};
+    const double sum =
+        brink_instant_since(run->system.year, known->when, new_year);
+    search s = {run, i, offset, sum, *known};
+    uint32_t ahead[27];
+    const int cells =
+        brink_cells_ahead(&run->cells, run->cells.cell[i], crossing, ahead);
+    mark_partners(run, i, 1);
+    predict_strangers(&s, ahead, cells);
+    mark_partners(run, i, 0);
+    brink_calendar_set(&run->calendar, i, &s.best);
+}
+
+static void predict_crossing(brink_run *run, uint32_t i, double offset)
+{
+    const brink_system *system = &run->system;
+    brink_crossing next = {0, 0};
+    const double dt = brink_cells_crossing(&run->cells, system, i, offset, &next);
+    const brink_instant now = {system->epoch, offset};
+    const brink_entry entry = {
+        .when = brink_instant_after(system->year, now, dt),
+        .i = i,
+        .j = (uint32_t)(2 * next.axis + (next.way > 0)),
+        .kind = BRINK_ENTRY_CELL,
+    };
+    brink_calendar_set(&run->calendar, system->count + i, &entry);
+}
+
+static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry)
+{
+    const uint32_t i = entry->i;
+    const double offset = entry->when.offset;
+    const brink_crossing crossing = {(int)(entry->j / 2), entry->j % 2 ? 1 : -1};
+    brink_system_advance(&run->system, i, offset);
+    if (!brink_cells_cross(&run->cells, i, crossing))
+        return BRINK_RUN_REFUSED;
+    run->tally.cell++;
+    predict_crossing(run, i, offset);
+    predict_ahead(run, i, offset, crossing);
+    return BRINK_RUN_REACHED;
+}
+
+// Velocities after the meeting; what happened.
+static enum brink_event_kind resolve(brink_run *run, const double r[3],
+                                     const brink_potential *p,
+                                     enum brink_direction way, uint32_t i,
+                                     uint32_t j, int level)
+{
+    const brink_system *s = &run->system;
+    brink_particle *a = &s->particle[i], *b = &s->particle[j];
+    const double ma = s->species[a->species].mass,
+                 mb = s->species[b->species].mass;
+    const double rise = brink_step_rise(p, level, way);
+    enum brink_event_kind kind = BRINK_BOUNCE;
+    double virial;
+    if (isinf(rise)) {
+        kind = BRINK_CORE;
+        virial = brink_core_impulse(r, ma, mb, a->v, b->v);
+    } else if (brink_step_impulse(r, ma, mb, rise, way, a->v, b->v, &virial)) {
+        kind = way == BRINK_INWARD ? BRINK_CAPTURE : BRINK_RELEASE;
+    } else if (way == BRINK_OUTWARD) {
+        run->tally.rim += (uint64_t)brink_rim_impulse(r, ma, mb, a->v, b->v);
+    }
+    brink_sum_add(&run->tally.virial, virial);
+    a->generation++;
+    b->generation++;
+    return kind;
+}
+
+static void count_event(brink_run *run, const brink_entry *entry,
+                        const brink_happening *event, const double r[3])
+{
+    brink_tally *t = &run->tally;
+    uint64_t *kinds[] = {[BRINK_CORE] = &t->core,
+                         [BRINK_CAPTURE] = &t->capture,
+                         [BRINK_RELEASE] = &t->release,
+                         [BRINK_BOUNCE] = &t->bounce};
+    ++*kinds[event->kind];
+    const double distance = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+    const double error = fabs(distance - event->distance) / event->distance;
+    t->contact_error_max = fmax(t->contact_error_max, error);
+    t->clamped += entry->at_once;
+    const int again = brink_tally_events(t) > 1 &&
+                      brink_instant_compare(entry->when, run->last.when) == 0;
+    run->idle = again ? run->idle + 1 : 0;
+    t->zero_time += (uint64_t)again;
+    t->repeated += again && event->i == run->last.i && event->j == run->last.j;
+}
+
+static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
+{
+    brink_system *s = &run->system;
+    const uint32_t i = entry->i, j = entry->j;
+    const double offset = entry->when.offset;
+    const brink_potential *p = brink_system_potential(s, i, j);
+    const int level = brink_states_level(&run->states, i, j);
+    const enum brink_direction way =
+        entry->kind == BRINK_ENTRY_INWARD ? BRINK_INWARD : BRINK_OUTWARD;
+    double r[3];
+    brink_system_advance(s, i, offset);
+    brink_system_advance(s, j, offset);
+    brink_system_separation(s, i, j, offset, r);
+    brink_happening event = {
+        .i = i,
+        .j = j,
+        .level_before = level,
+        .distance = p->distance[way == BRINK_INWARD ? level : level - 1],
+        .when = entry->when,
+    };
+    event.kind = resolve(run, r, p, way, i, j, level);
+    const int applied = brink_states_apply(&run->states, s, i, j, event.kind);
+    event.level_after = brink_states_level(&run->states, i, j);
+    count_event(run, entry, &event, r);
+    run->last = event;
+    if (applied != 0) {
+        run->tally.refused += applied > 0;
+        return applied > 0 ? BRINK_RUN_REFUSED : BRINK_RUN_NO_MEMORY;
+    }
+    predict_crossing(run, i, offset);
+    predict_crossing(run, j, offset);
+    predict(run, i, offset);
+    predict(run, j, offset);
+    // A scene may have as many simultaneous events as it has pairs in contact,
+    // some a few times over; one that has this many more has stopped.
+    return run->idle > 1000 + 16 * (uint64_t)s->count ? BRINK_RUN_STUCK
+                                                      : BRINK_RUN_REACHED;
+}
+
+static enum brink_run_status execute(brink_run *run, uint32_t slot)
+{
+    const brink_entry entry = run->calendar.entry[slot];
+    brink_system *s = &run->system;
+    if (entry.when.epoch > s->epoch)
+        brink_system_turn(s, entry.when.epoch);
+    run->now = entry.when;
+    if (entry.kind == BRINK_ENTRY_CELL)
+        return cross_wall(run, &entry);
+    const uint32_t partner = slot == entry.i ? entry.j : entry.i;
+    if (s->particle[partner].generation != entry.generation) {
+        run->tally.stale++;
+        brink_system_advance(s, slot, entry.when.offset);
+        predict(run, slot, entry.when.offset);
+        return BRINK_RUN_REACHED;
+    }
+    return meet(run, &entry);
+}
+
+enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
+                                        brink_instant until)
+{
+    while (brink_tally_events(&run->tally) < events) {
+        const uint32_t slot = brink_calendar_next(&run->calendar);
+        const int at_rest = slot == run->calendar.slots;
+        if (at_rest ||
+            brink_instant_compare(run->calendar.entry[slot].when, until) > 0) {
+            if (until.epoch != INT64_MAX &&
+                brink_instant_compare(until, run->now) > 0)
+                run->now = until;
+            return at_rest ? BRINK_RUN_AT_REST : BRINK_RUN_REACHED;
+        }
+        const enum brink_run_status status = execute(run, slot);
+        if (status != BRINK_RUN_REACHED)
+            return status;
+    }
+    return BRINK_RUN_REACHED;
+}
+
+// The images: every combination of -L, 0, L on the axes that have three.
+static void list_images(brink_run *run)
+{
+    const int *images = run->cells.images;
+    for (int z = 0; z < images[2]; z++)
+        for (int y = 0; y < images[1]; y++)
+            for (int x = 0; x < images[0]; x++) {
+                const int shift[3] = {x, y, z};
+                double *image = run->image[run->images++];
+                for (int a = 0; a < 3; a++)
+                    image[a] = run->system.length[a] * (shift[a] - images[a] / 2);
+            }
+}
+
+// Levels by position, of every pair of adjacent particles.
+static int find_levels(brink_run *run)
+{
+    const brink_system *s = &run->system;
+    for (uint32_t i = 0; i < s->count; i++) {
+        uint32_t around[27];
+        const int cells =
+            brink_cells_around(&run->cells, run->cells.cell[i], around);
+        for (int n = 0; n < cells; n++)
+            for (uint32_t k = run->cells.first[around[n]]; k != BRINK_NOBODY;
+                 k = run->cells.next[k]) {
+                if (k <= i)
+                    continue;
+                const brink_potential *p = brink_system_potential(s, i, k);
+                double r[3];
+                brink_system_separation(s, i, k, 0.0, r);
+                const int seen = brink_step_level_at(p, r);
+                const int most = brink_potential_levels(p) - 1;
+                if (brink_states_set(&run->states, s, i, k,
+                                     seen < most ? seen : most))
+                    return -1;
+            }
+    }
+    return 0;
+}
+
+int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tier)
+{
+    memset(run, 0, sizeof *run);
+    run->system = *system;
+    memset(system, 0, sizeof *system);
+    run->tier = tier;
+    const uint32_t n = run->system.count;
+    run->mark = calloc(n, 1);
+    if (!run->mark || brink_cells_create(&run->cells, &run->system) ||
+        brink_states_create(&run->states, &run->system) ||
+        brink_calendar_create(&run->calendar, 2 * n, run->system.year, 2 * n)) {
+        brink_run_destroy(run);
+        return -1;
+    }
+    list_images(run);
+    return 0;
+}
+
+int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier)
+{
+    if (brink_run_assemble(run, system, tier))
+        return -1;
+    if (find_levels(run)) {
+        brink_run_destroy(run);
+        return -1;
+    }
+    for (uint32_t i = 0; i < run->system.count; i++) {
+        predict(run, i, 0.0);
+        predict_crossing(run, i, 0.0);
+    }
+    run->energy_begin = brink_run_energy(run);
+    brink_system_momentum(&run->system, run->momentum_begin);
+    return 0;
+}
+
+void brink_run_destroy(brink_run *run)
+{
+    brink_system_destroy(&run->system);
+    brink_states_destroy(&run->states);
+    brink_cells_destroy(&run->cells);
+    brink_calendar_destroy(&run->calendar);
+    free(run->mark);
+    memset(run, 0, sizeof *run);
+}
+
+const char *brink_run_is_valid(const brink_run *run)
+{
+    const char *fault = brink_system_is_valid(&run->system);
+    if (!fault)
+        fault = brink_cells_is_valid(&run->cells);
+    if (!fault)
+        fault = brink_states_is_valid(&run->states, &run->system);
+    if (!fault)
+        fault = brink_calendar_is_valid(&run->calendar);
+    return fault;
+}
+
+void brink_run_diagnosis(const brink_run *run, enum brink_run_status status,
+                         char *text, size_t size)
+{
+    static const char *const why[] = {
+        [BRINK_RUN_REACHED] = "the run reached its target",
+        [BRINK_RUN_AT_REST] = "nothing moves: there is no further event",
+        [BRINK_RUN_STUCK] = "events go on but the clock does not",
+        [BRINK_RUN_REFUSED] = "the state machine refused an event",
+        [BRINK_RUN_NO_MEMORY] = "memory is out",
+    };
+    static const char *const kinds[] = {"core", "capture", "release", "bounce"};
+    const brink_happening *e = &run->last;
+    const brink_particle *a = &run->system.particle[e->i];
+    const brink_particle *b = &run->system.particle[e->j];
+    double r[3];
+    brink_system_separation(&run->system, e->i, e->j, a->since, r);
+    snprintf(text, size,
+             "%s; after %" PRIu64 " events, at time %.17g\n"
+             "last event: %s of particles %" PRIu32 " and %" PRIu32
+             ", level %d -> %d, step at %a\n"
+             "r = {%a, %a, %a}\nv = {%a, %a, %a}\n",
+             why[status], brink_tally_events(&run->tally), brink_run_time(run),
+             kinds[e->kind], e->i, e->j, e->level_before, e->level_after,
+             e->distance, r[0], r[1], r[2], a->v[0] - b->v[0], a->v[1] - b->v[1],
+             a->v[2] - b->v[2]);
+}
+
+double brink_run_time(const brink_run *run)
+{
+    return brink_instant_time(run->system.year, run->now);
+}
+
+double brink_run_energy(const brink_run *run)
+{
+    return brink_system_kinetic_energy(&run->system) +
+           brink_states_energy(&run->states, &run->system);
+}
+
+double brink_run_compressibility(const brink_run *run)
+{
+    const brink_system *s = &run->system;
+    const double kt = brink_system_temperature(s);
+    return 1.0 +
+           brink_sum_value(&run->tally.virial) /
+               (s->dimensions * (double)s->count * kt * brink_run_time(run));
+}
+
+double brink_run_pressure(const brink_run *run)
+{
+    const brink_system *s = &run->system;
+    return brink_run_compressibility(run) * (double)s->count *
+           brink_system_temperature(s) / brink_system_volume(s);
+}
+
+double brink_run_mean_free_time(const brink_run *run)
+{
+    return (double)run->system.count * brink_run_time(run) /
+           (2.0 * (double)brink_tally_events(&run->tally));
+}
+
+void brink_run_position(const brink_run *run, uint32_t i, double x[3])
+{
+    const brink_instant new_year = {run->system.epoch, 0.0};
+    brink_system_position(
+        &run->system, i,
+        brink_instant_since(run->system.year, run->now, new_year), x);
+}
