@@ -370,6 +370,7 @@ int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier)
         predict_crossing(run, i, 0.0);
     }
     run->energy_begin = brink_run_energy(run);
+    run->kinetic_begin = brink_system_kinetic_energy(&run->system);
     brink_system_momentum(&run->system, run->momentum_begin);
     return 0;
 }

@@ -58,8 +58,9 @@ typedef struct brink_run {
     brink_instant now;
     brink_tally tally;
     brink_happening last;
-    uint32_t idle;       // consecutive events that did not move the clock
-    double energy_begin; // kinetic and potential when the run was made
+    uint32_t idle;        // consecutive events that did not move the clock
+    double energy_begin;  // kinetic and potential when the run was made
+    double kinetic_begin; // the kinetic part of it
     double momentum_begin[3];
     double image[27][3]; // shifts to the images a particle is looked for in
     int images;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#ifndef BRINK_EXACT_H
+#define BRINK_EXACT_H
+/**
+ * What the kernels are made of, and not installed with them: error-free
+ * transforms and double-double arithmetic.  What those cannot decide is
+ * dyadic.h's.
+ *
+ * u = 2^-53 is the unit roundoff.  Rounding is to nearest, ties to even.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifdef __FAST_MATH__
+#error                                                                           \
+    "brink's results rest on IEEE arithmetic: do not compile it with -ffast-math"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error                                                                           \
+    "brink needs doubles to be rounded to double (on old x86: -msse2 -mfpmath=sse)"
+#endif
+
+/** Always inlined, so that a body compiled for hardware with fma() has it
+ * throughout. */
+#define BRINK_INLINE static inline __attribute__((always_inline))
+
+// --- Error-free transforms
+// -----------------------------------------------------------
+
+typedef struct dd { // the unevaluated sum hi + lo, |lo| <= u |hi|
+    double hi, lo;
+} dd;
+
+/** hi + lo = a + b, exactly, unless a + b overflows. */
+BRINK_INLINE dd two_sum(double a, double b)
+{
+    double s = a + b, t = s - a;
+    return (dd){s, (a - (s - t)) + (b - t)};
+}
+
+/** The same where |a| >= |b| or a = 0. */
+BRINK_INLINE dd fast_two_sum(double a, double b)
+{
+    double s = a + b;
+    return (dd){s, b - (s - a)};
+}
+
+/** hi + lo = a b, exactly, where a b neither overflows nor has bits below
+ * 2^-1074. */
+BRINK_INLINE dd two_prod(double a, double b)
+{
+    double p = a * b;
+    return (dd){p, fma(a, b, -p)};
+}
+
+// --- Double-double
+// ------------------------------------------------------------------- Errors
+// relative to the exact result, barring over- and underflow.  The algorithms and
+// bounds are those of Joldes, Muller, Popescu (2017), ACM TOMS 44(2); the square
+// root's of Lefevre, Louvet, Muller, Picot, Rideau (2023), ACM TOMS 49(1), 1.
+
+BRINK_INLINE dd dd_negate(dd x)
+{
+    return (dd){-x.hi, -x.lo}; // exact
+}
+
+BRINK_INLINE dd dd_add(dd x, dd y)
+{
+    dd s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+    dd v = fast_two_sum(s.hi, s.lo + t.hi);
+    return fast_two_sum(v.hi, t.lo + v.lo); // error <= 3u^2 + 13u^3
+}
+
+BRINK_INLINE dd dd_add_d(dd x, double y)
+{
+    dd s = two_sum(x.hi, y);
+    return fast_two_sum(s.hi, x.lo + s.lo); // error <= 2u^2
+}
+
+BRINK_INLINE dd dd_mul(dd x, dd y)
+{
+    dd p = two_prod(x.hi, y.hi);
+    double t = fma(x.lo, y.hi, fma(x.hi, y.lo, x.lo * y.lo));
+    return fast_two_sum(p.hi, p.lo + t); // error <= 4u^2
+}
+
+BRINK_INLINE dd dd_mul_d(dd x, double y)
+{
+    dd p = two_prod(x.hi, y);
+    return fast_two_sum(p.hi, fma(x.lo, y, p.lo)); // error <= 2u^2
+}
+
+BRINK_INLINE dd dd_div(dd x, dd y)
+{
+    double q = x.hi / y.hi;
+    dd r = dd_mul_d(y, q);
+    double d = (x.hi - r.hi) + (x.lo - r.lo);
+    return fast_two_sum(q, d / y.hi); // error <= 15u^2 + 56u^3
+}
+
+BRINK_INLINE dd dd_sqrt(dd x)
+{
+    if (x.hi == 0)
+        return x;
+    double s = sqrt(x.hi);
+    double d = fma(-s, s, x.hi) + x.lo;
+    return fast_two_sum(s, d / (2 * s)); // error <= 25/8 u^2
+}
+
+// --- Powers of two
+// -------------------------------------------------------------------
+
+BRINK_INLINE uint64_t bits_of(double x)
+{
+    uint64_t b;
+    memcpy(&b, &x, sizeof b);
+    return b;
+}
+
+BRINK_INLINE double double_of(uint64_t b)
+{
+    double x;
+    memcpy(&x, &b, sizeof x);
+    return x;
+}
+
+/** The biased exponent: 0 for zero and subnormals, 2047 for infinities and NaN.
+ */
+BRINK_INLINE int biased_exponent(double x)
+{
+    return (int)(bits_of(x) >> 52 & 0x7ff);
+}
+
+/** 2^e, -1022 <= e <= 1023. */
+BRINK_INLINE double power_of_two(int e)
+{
+    return double_of((uint64_t)(e + 1023) << 52);
+}
+#endif

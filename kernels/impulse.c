@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Double-double throughout, each velocity rounded once at the end: the bounds of
+// the header are those of that last rounding.  With k1 = m2 / (m1 + m2), k2 = m1
+// / (m1 + m2):
+//     v1' = v1 + k1 (b' - b) / (r.r) r,    v2' = v2 - k2 (b' - b) / (r.r) r.
+#include "impulse.h"
+#include "dyadic.h"
+
+/** A pair with its lengths, velocities and masses scaled to about 1, exactly. */
+typedef struct pair {
+    double r[3], v1[3], v2[3]; // times 2^-er, 2^-ev, 2^-ev
+    int er, ev, em;
+    dd v[3];       // v1 - v2, exact
+    dd b, rr;      // r.v, r.r: errors <= 2^-100 |r||v|, 2^-100 r.r
+    dd k1, k2, mu; // m2 / (m1 + m2), m1 / (m1 + m2), m1 m2 / (m1 + m2): <= 2^-100
+} pair;
+
+/** The e for which scaling by 2^-e brings the largest of n numbers to [1, 2); or
+ * as near as a power of two within the doubles can, if they are all subnormal. */
+static int common_exponent(int n, const double *x)
+{
+    int biased = 0;
+    for (int i = 0; i < n; i++)
+        if (biased_exponent(x[i]) > biased)
+            biased = biased_exponent(x[i]);
+    int e = biased - 1023;
+    return e > 1022 ? 1022 : e < -1022 ? -1022 : e;
+}
+
+static void scale(double out[3], const double x[3], int e)
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = x[i] * power_of_two(e);
+}
+
+/** `rise` is counted in where it is a fall: its speed is what the pair gains. */
+static void pair_make(pair *p, const double r[3], double m1, double m2,
+                      double rise, const double v1[3], const double v2[3])
+{
+    const double speeds[6] = {v1[0], v1[1], v1[2], v2[0], v2[1], v2[2]};
+    const double masses[2] = {m1, m2};
+    p->er = common_exponent(3, r);
+    p->ev = common_exponent(6, speeds);
+    p->em = common_exponent(2, masses);
+    int ev_fall = (common_exponent(1, &rise) - p->em) / 2;
+    if (rise < 0 && ev_fall > p->ev)
+        p->ev = ev_fall;
+    scale(p->r, r, -p->er);
+    scale(p->v1, v1, -p->ev);
+    scale(p->v2, v2, -p->ev);
+    p->b = p->rr = (dd){0, 0};
+    for (int i = 0; i < 3; i++) {
+        p->v[i] = two_sum(p->v1[i], -p->v2[i]);
+        p->b = dd_add(p->b, dd_mul_d(p->v[i], p->r[i]));
+        p->rr = dd_add(p->rr, two_prod(p->r[i], p->r[i]));
+    }
+    m1 *= power_of_two(-p->em);
+    m2 *= power_of_two(-p->em);
+    dd sum = two_sum(m1, m2);
+    p->k1 = dd_div((dd){m2, 0}, sum);
+    p->k2 = dd_div((dd){m1, 0}, sum);
+    p->mu = dd_mul_d(p->k1, m1);
+}
+
+/** v1 += k1 w, v2 -= k2 w, each rounded once. */
+static void pair_kick(const pair *p, const dd w[3], double v1[3], double v2[3])
+{
+    double unit = power_of_two(p->ev);
+    for (int i = 0; i < 3; i++) {
+        dd w1 = dd_mul(p->k1, w[i]), w2 = dd_mul(p->k2, dd_negate(w[i]));
+        v1[i] = dd_add_d(w1, p->v1[i]).hi * unit;
+        v2[i] = dd_add_d(w2, p->v2[i]).hi * unit;
+    }
+}
+
+/** Changes b by `change` along the line of centres; returns the virial. */
+static double pair_change(const pair *p, dd change, double v1[3], double v2[3])
+{
+    if (change.hi ==
+        0) // nothing to do; at r = 0 there is no line of centres either
+        return 0;
+    dd w[3], slope = dd_div(change, p->rr);
+    for (int i = 0; i < 3; i++)
+        w[i] = dd_mul_d(slope, p->r[i]);
+    pair_kick(p, w, v1, v2);
+    return ldexp(dd_mul(p->mu, change).hi, p->em + p->er + p->ev);
+}
+
+/** From b to -|b| along `way`. */
+static dd reflection(const pair *p, enum brink_direction way)
+{
+    if (p->b.hi * (int)way > 0)
+        return dd_mul_d(p->b, -2);
+    return (dd){0, 0};
+}
+
+double brink_core_impulse(const double r[3], double m1, double m2, double v1[3],
+                          double v2[3])
+{
+    pair p;
+    pair_make(&p, r, m1, m2, 0, v1, v2);
+    return pair_change(&p, reflection(&p, BRINK_INWARD), v1, v2);
+}
+
+/** sign(m1 m2 b^2 - 2 rise r.r (m1 + m2)), exact. */
+static int exact_surplus(const double r[3], double m1, double m2, double rise,
+                         const double v1[3], const double v2[3])
+{
+    const double rr[6] = {r[0], r[1], r[2], r[0], r[1], r[2]};
+    const double v[6] = {v1[0], v1[1], v1[2], -v2[0], -v2[1], -v2[2]};
+    const double mass[2] = {m1, m2}, twice[2] = {2, 2};
+    brink_dyadic b, bb, x, y, z, radial, needed;
+    brink_dyadic_dot(&b, 6, rr, v);
+    brink_dyadic_mul(&bb, &b, &b);
+    brink_dyadic_dot(&x, 1, &m1, &m2);
+    brink_dyadic_mul(&radial, &x, &bb);
+
+    brink_dyadic_dot(&x, 3, r, r);
+    brink_dyadic_dot(&y, 2, mass, twice);
+    brink_dyadic_mul(&z, &x, &y);
+    brink_dyadic_double(&x, rise);
+    brink_dyadic_mul(&needed, &x, &z);
+    brink_dyadic_sub(&z, &radial, &needed);
+    return z.sign;
+}
+
+int brink_step_impulse(const double r[3], double m1, double m2, double rise,
+                       enum brink_direction way, double v1[3], double v2[3],
+                       double *virial)
+{
+    pair p;
+    pair_make(&p, r, m1, m2, rise, v1, v2);
+
+    // s: speed along `way`, times |r|; it goes from s to s' with s'^2 = s^2 -
+    // loss.
+    dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
+    // A rise of 2^900 is out of reach: it stands for all that are higher.
+    double scaled_rise = fmin(ldexp(rise, -p.em - 2 * p.ev), 0x1p900);
+    dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
+    dd rest = dd_add(ss, dd_negate(loss));
+
+    // |r|, |v| < 8 here, so ss is in error by less than 2 * 64 * 2^-100 * 64 =
+    // 2^-87; loss by less than 2^-95 of itself.
+    int crosses = rest.hi > 0;
+    if (!(fabs(rest.hi) > 0x1p-86 + 0x1p-94 * fabs(loss.hi)))
+        crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;
+
+    dd change = reflection(&p, way);
+    if (crosses) {
+        dd after = dd_sqrt(rest.hi > 0 ? rest : (dd){0, 0});
+        if (s.hi > 0) // s' - s = -loss / (s' + s): nothing cancels
+            change = dd_div(dd_negate(loss), dd_add(after, s));
+        else
+            change = dd_add(after, dd_negate(s));
+        change = dd_mul_d(change, (int)way);
+    }
+    *virial = pair_change(&p, change, v1, v2);
+    return crosses;
+}
+
+int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
+                      double v2[3])
+{
+    pair p;
+    pair_make(&p, r, m1, m2, 0, v1, v2);
+    dd vv = {0, 0};
+    for (int i = 0; i < 3; i++)
+        vv = dd_add(vv, dd_mul(p.v[i], p.v[i]));
+    dd rim = dd_mul_d(dd_sqrt(dd_mul(p.rr, vv)), BRINK_RIM_ANGLE);
+    if (!(fabs(p.b.hi) < rim.hi))
+        return 0;
+
+    // v = b/rr r + tangent; afterwards -rim/rr r + stretch * tangent, of equal
+    // length: stretch^2 = (vv - rim^2/rr) / (vv - b^2/rr)
+    dd bb = dd_div(dd_mul(p.b, p.b), p.rr), rim2 = dd_div(dd_mul(rim, rim), p.rr);
+    dd stretch =
+        dd_sqrt(dd_div(dd_add(vv, dd_negate(rim2)), dd_add(vv, dd_negate(bb))));
+    dd along = dd_div(p.b, p.rr), inward = dd_negate(dd_div(rim, p.rr));
+    dd w[3];
+    for (int i = 0; i < 3; i++) {
+        dd radial = dd_mul_d(along, p.r[i]);
+        dd tangent = dd_add(p.v[i], dd_negate(radial));
+        dd after = dd_add(dd_mul(stretch, tangent), dd_mul_d(inward, p.r[i]));
+        w[i] = dd_add(after, dd_negate(p.v[i]));
+    }
+    pair_kick(&p, w, v1, v2);
+    return 1;
+}

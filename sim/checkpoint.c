@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "checkpoint.h"
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define PREFIX "checkpoint-"
+#define SUFFIX ".brink"
+#define NAME   64 // enough for PREFIX, 20 digits and SUFFIX
+
+static void name_of(char name[NAME], uint64_t events)
+{
+    snprintf(name, NAME, PREFIX "%020" PRIu64 SUFFIX, events);
+}
+
+static int is_checkpoint(const char *name)
+{
+    const size_t length = strlen(PREFIX) + 20 + strlen(SUFFIX);
+    return strlen(name) == length && strncmp(name, PREFIX, strlen(PREFIX)) == 0 &&
+           strspn(name + strlen(PREFIX), "0123456789") == 20 &&
+           strcmp(name + length - strlen(SUFFIX), SUFFIX) == 0;
+}
+
+static int newest_first(const void *a, const void *b)
+{
+    return strcmp(b, a); // zero-padded numbers: the order of text is theirs
+}
+
+// The names of DIR's checkpoints, newest first; their number, -1 if DIR cannot be
+// read.
+static int list(const char *dir, char (**names)[NAME])
+{
+    *names = NULL;
+    DIR *d = opendir(dir);
+    if (!d)
+        return -1;
+    int count = 0;
+    for (struct dirent *e; (e = readdir(d));) {
+        if (!is_checkpoint(e->d_name))
+            continue;
+        char(*more)[NAME] = realloc(*names, (size_t)(count + 1) * sizeof *more);
+        if (!more)
+            break;
+        *names = more;
+        strcpy((*names)[count++], e->d_name);
+    }
+    closedir(d);
+    if (count > 1)
+        qsort(*names, (size_t)count, sizeof **names, newest_first);
+    return count;
+}
+
+int brink_checkpoint_count(const char *dir)
+{
+    char(*names)[NAME];
+    const int count = list(dir, &names);
+    free(names);
+    return count < 0 ? 0 : count;
+}
+
+static char *join(const char *dir, const char *name)
+{
+    const size_t size = strlen(dir) + strlen(name) + 2;
+    char *path = malloc(size);
+    if (path)
+        snprintf(path, size, "%s/%s", dir, name);
+    return path;
+}
+
+static void remove_old(const char *dir)
+{
+    char(*names)[NAME];
+    const int count = list(dir, &names);
+    for (int k = 2; k < count; k++) {
+        char *path = join(dir, names[k]);
+        if (path)
+            unlink(path);
+        free(path);
+    }
+    free(names);
+}
+
+static void sync_folder(const char *dir)
+{
+    const int fd = open(dir, O_RDONLY);
+    if (fd >= 0) {
+        fsync(fd); // some file systems cannot; the file itself is synced
+        close(fd);
+    }
+}
+
+int brink_checkpoint_save(const char *dir, const brink_run *run,
+                          const brink_plan *plan, FILE *errors)
+{
+    char name[NAME];
+    name_of(name, brink_tally_events(&run->tally));
+    char *path = join(dir, name), *fresh = join(dir, "checkpoint.new");
+    int status = -1;
+    FILE *file = path && fresh ? fopen(fresh, "wb") : NULL;
+    if (file) {
+        status =
+            brink_snapshot_write(file, run, plan) || fsync(fileno(file)) ? -1 : 0;
+        const int error = errno; // of the first thing that failed
+        if (fclose(file) == 0 || status)
+            errno = error;
+        else
+            status = -1;
+    }
+    if (status == 0)
+        status = rename(fresh, path);
+    if (status == 0) {
+        sync_folder(dir);
+        remove_old(dir);
+    } else {
+        fprintf(errors,
+                "%s: the checkpoint could not be written: %s\n"
+                "  earlier ones are untouched; free some space or use another "
+                "--out\n",
+                dir, strerror(errno));
+        if (file)
+            unlink(fresh);
+    }
+    free(path);
+    free(fresh);
+    return status;
+}
+
+int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
+                          FILE *errors)
+{
+    FILE *file = fopen(path, "rb");
+    const char *fault =
+        file ? brink_snapshot_read(file, run, plan) : strerror(errno);
+    if (file)
+        fclose(file);
+    if (fault)
+        fprintf(errors, "%s: this checkpoint is refused: %s\n", path, fault);
+    return fault ? -1 : 0;
+}
+
+int brink_checkpoint_resume(const char *dir, brink_run *run, brink_plan *plan,
+                            char *path, size_t path_size, FILE *errors)
+{
+    char(*names)[NAME];
+    const int count = list(dir, &names);
+    int status = -1;
+    for (int k = 0; k < count && status; k++) {
+        snprintf(path, path_size, "%s/%s", dir, names[k]);
+        status = brink_checkpoint_load(path, run, plan, errors);
+    }
+    free(names);
+    if (status)
+        fprintf(errors,
+                count < 0 ? "%s: it cannot be read: %s\n"
+                : count > 0
+                    ? "%s: none of its checkpoints is whole\n"
+                    : "%s: it holds no checkpoint: start one with `brink run`\n",
+                dir, strerror(errno));
+    return status;
+}

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#include "session.h"
+#include "checkpoint.h"
+#include "observe.h"
+#include "scene.h"
+#include "start.h"
+#include "trajectory.h"
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+typedef struct session {
+    brink_run run;
+    brink_plan plan;
+    brink_scene scene;
+    char dir[4096];
+    FILE *trajectory; // NULL: the scene asks for none
+    double max_wall;  // for this piece of the run
+    sigset_t
+        stops; // the signals that stop it, blocked and asked for between pieces
+} session;
+
+static double wall_clock(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int complain(const char *dir, const char *name)
+{
+    fprintf(stderr, "%s/%s: it cannot be written: %s\n", dir, name,
+            strerror(errno));
+    return -1;
+}
+
+static FILE *open_in(const char *dir, const char *name, const char *mode)
+{
+    char path[4200];
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    FILE *file = fopen(path, mode);
+    if (!file)
+        complain(dir, name);
+    return file;
+}
+
+// Offset of now, counted in the year that the particles' own times count in.
+static double offset_now(const brink_run *run)
+{
+    const brink_instant new_year = {run->system.epoch, 0.0};
+    return brink_instant_since(run->system.year, run->now, new_year);
+}
+
+static int write_frame(const session *s, FILE *out)
+{
+    return brink_trajectory_write(out, &s->run.system, offset_now(&s->run),
+                                  brink_run_time(&s->run));
+}
+
+static brink_instant frame_instant(const session *s)
+{
+    if (!s->trajectory)
+        return BRINK_NEVER;
+    return brink_instant_at(s->run.system.year,
+                            (double)s->plan.frames * s->scene.trajectory_every);
+}
+
+static int write_due_frame(session *s)
+{
+    if (brink_instant_compare(s->run.now, frame_instant(s)) < 0)
+        return 0;
+    if (write_frame(s, s->trajectory) || fflush(s->trajectory))
+        return complain(s->dir, "trajectory.xyz");
+    s->plan.frames++;
+    s->plan.frame_end = (uint64_t)ftello(s->trajectory);
+    return 0;
+}
+
+// The trajectory goes on behind the last frame that the checkpoint knows of.
+static int open_trajectory(session *s)
+{
+    if (s->scene.trajectory_every == 0)
+        return 0;
+    s->trajectory = open_in(s->dir, "trajectory.xyz", "a");
+    if (!s->trajectory)
+        return -1;
+    if (ftruncate(fileno(s->trajectory), (off_t)s->plan.frame_end) ||
+        fseeko(s->trajectory, 0, SEEK_END))
+        return complain(s->dir, "trajectory.xyz");
+    return 0;
+}
+
+static int save(session *s)
+{
+    return brink_checkpoint_save(s->dir, &s->run, &s->plan, stderr);
+}
+
+static int write_results(const session *s, const char *stopped)
+{
+    FILE *out = open_in(s->dir, "summary.json", "w");
+    if (!out)
+        return -1;
+    int status =
+        brink_observe_summary(out, &s->run, &s->plan, s->scene.title, stopped);
+    if (fclose(out) || status)
+        return complain(s->dir, "summary.json");
+    out = open_in(s->dir, "final.xyz", "w");
+    if (!out)
+        return -1;
+    status = write_frame(s, out);
+    if (fclose(out) || status)
+        return complain(s->dir, "final.xyz");
+    return 0;
+}
+
+static void show_progress(const session *s, double rate)
+{
+    char line[200];
+    if (!isatty(STDERR_FILENO))
+        return;
+    brink_observe_progress(line, sizeof line, &s->run, &s->plan, rate);
+    fprintf(stderr, "\r%s\033[K", line);
+}
+
+// Why the run stopped, for the summary; NULL while it goes on.
+static const char *stop_reason(const session *s, enum brink_run_status status,
+                               double spent)
+{
+    const struct timespec at_once = {0, 0};
+    switch (status) {
+    case BRINK_RUN_STUCK:
+        return "stuck";
+    case BRINK_RUN_REFUSED:
+        return "refused";
+    case BRINK_RUN_NO_MEMORY:
+        return "no memory";
+    case BRINK_RUN_AT_REST:
+        return "at rest";
+    case BRINK_RUN_REACHED:
+        break;
+    }
+    const brink_instant until =
+        brink_instant_at(s->run.system.year, s->plan.until);
+    if (brink_tally_events(&s->run.tally) >= s->plan.events ||
+        brink_instant_compare(s->run.now, until) >= 0)
+        return "target reached";
+    if (sigtimedwait(&s->stops, NULL, &at_once) > 0)
+        return "signal";
+    return spent >= s->max_wall ? "wall time" : NULL;
+}
+
+// Drives the run to its target or to a stop; the reason, or NULL where a file
+// could not be written.  A piece is some tenth of a second, so that signals are
+// heard.
+static const char *drive(session *s, enum brink_run_status *status)
+{
+    const double begin = wall_clock(), before = s->plan.wall_seconds;
+    const uint64_t events_before = brink_tally_events(&s->run.tally);
+    const brink_instant until =
+        brink_instant_at(s->run.system.year, s->plan.until);
+    double saved = begin;
+    uint64_t piece = 1000;
+    for (;;) {
+        if (write_due_frame(s))
+            return NULL;
+        const uint64_t events = brink_tally_events(&s->run.tally) + piece;
+        const brink_instant frame = frame_instant(s);
+        *status = brink_run_advance(
+            &s->run, events < s->plan.events ? events : s->plan.events,
+            brink_instant_compare(frame, until) < 0 ? frame : until);
+        const double now = wall_clock();
+        s->plan.wall_seconds = before + (now - begin);
+        const char *reason = stop_reason(s, *status, now - begin);
+        const uint64_t done = brink_tally_events(&s->run.tally) - events_before;
+        const double rate =
+            (double)done / fmax(now - begin, 1e-9); // s: the clock's tick
+        piece = (uint64_t)fmin(fmax(0.1 * rate, 1000), 1e6);
+        show_progress(s, rate);
+        if (reason)
+            return write_due_frame(s) ? NULL : reason;
+        if (now - saved >= s->scene.checkpoint_every) {
+            if (save(s))
+                return NULL;
+            saved = now;
+        }
+    }
+}
+
+static int exit_code(const char *reason, enum brink_run_status status)
+{
+    if (strcmp(reason, "signal") == 0 || strcmp(reason, "wall time") == 0)
+        return BRINK_EXIT_STOPPED;
+    return status == BRINK_RUN_REACHED || status == BRINK_RUN_AT_REST
+               ? BRINK_EXIT_DONE
+               : BRINK_EXIT_WRONG;
+}
+
+static int finish(session *s, const char *reason, enum brink_run_status status)
+{
+    const int code = exit_code(reason, status);
+    if (isatty(STDERR_FILENO))
+        fputc('\n', stderr);
+    if (code == BRINK_EXIT_WRONG) {
+        char why[2000];
+        brink_run_diagnosis(&s->run, status, why, sizeof why);
+        fprintf(stderr, "%s: the run cannot go on: %s", s->dir, why);
+    }
+    if (save(s) || write_results(s, reason))
+        return BRINK_EXIT_USAGE;
+    if (code == BRINK_EXIT_STOPPED)
+        fprintf(stderr, "%s: stopped early (%s); `brink resume %s` goes on\n",
+                s->dir, reason, s->dir);
+    printf("%s/summary.json\n", s->dir);
+    return code;
+}
+
+// The run is set up or loaded: drive it, with the signals held.
+static int carry_out(session *s)
+{
+    enum brink_run_status status = BRINK_RUN_REACHED;
+    int code = BRINK_EXIT_USAGE;
+    sigset_t before;
+    sigemptyset(&s->stops);
+    sigaddset(&s->stops, SIGTERM);
+    sigaddset(&s->stops, SIGINT);
+    sigprocmask(SIG_BLOCK, &s->stops, &before);
+    if (open_trajectory(s) == 0) {
+        const char *reason = drive(s, &status);
+        if (reason)
+            code = finish(s, reason, status);
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return code;
+}
+
+static void destroy(session *s)
+{
+    if (s->trajectory)
+        fclose(s->trajectory);
+    brink_run_destroy(&s->run);
+    brink_plan_destroy(&s->plan);
+    brink_scene_destroy(&s->scene);
+}
+
+static int choose_folder(session *s, const char *scene, const char *out)
+{
+    const char *slash = strrchr(scene, '/');
+    const char *stem = slash ? slash + 1 : scene;
+    const char *dot = strrchr(stem, '.');
+    const int length =
+        out ? (int)strlen(out) : (int)(dot ? (size_t)(dot - stem) : strlen(stem));
+    if (length == 0 || (size_t)length + 64 > sizeof s->dir) {
+        fprintf(stderr,
+                "%s: no folder can be named after it; give one with --out DIR\n",
+                scene);
+        return -1;
+    }
+    snprintf(s->dir, sizeof s->dir, "%.*s", length, out ? out : stem);
+    if (mkdir(s->dir, 0777) && errno != EEXIST) {
+        fprintf(stderr, "%s: the folder cannot be made: %s\n", s->dir,
+                strerror(errno));
+        return -1;
+    }
+    if (brink_checkpoint_count(s->dir) > 0) {
+        fprintf(stderr,
+                "%s: it holds a run already, which is not overwritten\n"
+                "  `brink resume %s` goes on with it; --out DIR takes another "
+                "folder\n",
+                s->dir, s->dir);
+        return -1;
+    }
+    return 0;
+}
+
+static int make_plan(session *s, const brink_orders *o)
+{
+    brink_plan *p = &s->plan;
+    p->events = brink_scene_events(&s->scene);
+    p->until = s->scene.target == BRINK_TARGET_TIME ? s->scene.target_value
+                                                    : (double)INFINITY;
+    if (o->has_target) {
+        p->events = o->events;
+        p->until = o->until;
+        if (o->events_per_particle > 0)
+            p->events = (uint64_t)ceil(o->events_per_particle * s->scene.count);
+    }
+    p->seed = s->scene.seed;
+    p->scene_size = s->scene.text_size;
+    p->scene = malloc(p->scene_size + 1);
+    if (!p->scene) {
+        fputs("memory is out\n", stderr);
+        return -1;
+    }
+    memcpy(p->scene, s->scene.text, p->scene_size);
+    p->scene[p->scene_size] = '\0';
+    return 0;
+}
+
+// From a scene's path to a run before its first event.
+static int set_up(session *s, const char *scene, const brink_orders *orders)
+{
+    if (brink_scene_read(scene, &s->scene, stderr))
+        return -1;
+    if (orders->has_seed)
+        s->scene.seed = orders->seed;
+    brink_system system;
+    if (brink_start_make(&s->scene, scene, &system, stderr))
+        return -1;
+    if (brink_run_create(&s->run, &system, orders->tier)) {
+        brink_system_destroy(&system);
+        fprintf(stderr, "%s: memory is out\n", scene);
+        return -1;
+    }
+    return make_plan(s, orders);
+}
+
+int brink_session_run(const char *scene, const brink_orders *orders)
+{
+    session s = {.max_wall = orders->max_wall};
+    int code = BRINK_EXIT_USAGE;
+    if (set_up(&s, scene, orders) == 0 &&
+        choose_folder(&s, scene, orders->out) == 0 && save(&s) == 0)
+        code = carry_out(&s);
+    destroy(&s);
+    return code;
+}
+
+int brink_session_resume(const char *dir, double max_wall)
+{
+    session s = {.max_wall = max_wall};
+    char path[4200];
+    int code = BRINK_EXIT_USAGE;
+    if (snprintf(s.dir, sizeof s.dir, "%s", dir) >= (int)sizeof s.dir)
+        fprintf(stderr, "%.60s...: the folder's name is too long\n", dir);
+    else if (brink_checkpoint_resume(dir, &s.run, &s.plan, path, sizeof path,
+                                     stderr) == 0 &&
+             brink_scene_parse(s.plan.scene, s.plan.scene_size, path, "",
+                               &s.scene, stderr) == 0) {
+        fprintf(stderr, "%s: going on from %" PRIu64 " events\n", path,
+                brink_tally_events(&s.run.tally));
+        code = carry_out(&s);
+    }
+    destroy(&s);
+    return code;
+}
+
+int brink_session_check(const char *scene)
+{
+    session s = {0};
+    const brink_orders orders = {.tier = BRINK_TIER_PLAIN};
+    const int status = set_up(&s, scene, &orders);
+    if (status == 0)
+        printf("%s: a good scene: %" PRIu32 " particles in %g x %g x %g, %" PRId64
+               " pairs captured, energy %.17g\n",
+               scene, s.run.system.count, s.run.system.length[0],
+               s.run.system.length[1], s.run.system.length[2],
+               (int64_t)(s.run.states.used / 2), s.run.energy_begin);
+    destroy(&s);
+    return status ? BRINK_EXIT_USAGE : BRINK_EXIT_DONE;
+}
