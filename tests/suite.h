@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef SUITE_H
+#define SUITE_H
+/**
+ * What every Check program ends with:
+ *     int main(void) { return RUN_SUITE("calendar", 60, empty_has_no_next, ...); }
+ * Each test runs in a process of its own and is given `seconds`.
+ */
+#include <check.h>
+#include <stddef.h>
+
+#define RUN_SUITE(name, seconds, ...)                                                  \
+    run_suite(name, seconds, (const TTest *const[]){__VA_ARGS__},                      \
+              sizeof((const TTest *const[]){__VA_ARGS__}) / sizeof(const TTest *))
+
+static inline int run_suite(const char *name, double seconds, const TTest *const *tests,
+                            size_t count)
+{
+    Suite *suite = suite_create(name);
+    TCase *tcase = tcase_create(name);
+    tcase_set_timeout(tcase, seconds);
+    for (size_t k = 0; k < count; k++)
+        tcase_add_test(tcase, tests[k]);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "systems.h"
+#include "scene.h"
+#include "start.h"
+#include <check.h>
+#include <string.h>
+
+const char hard_spheres[] = "seed: 11\n"
+                            "box: {packing_fraction: 0.3}\n"
+                            "species: {A: {count: 256, diameter: 1}}\n";
+
+const char square_well[] = "seed: 12\n"
+                           "box: {number_density: 0.3}\n"
+                           "species: {A: {count: 256}}\n"
+                           "potentials:\n"
+                           "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n";
+
+const char square_shoulder[] = "seed: 13\n"
+                               "box: {number_density: 0.01}\n"
+                               "species: {A: {count: 256}}\n"
+                               "potentials:\n"
+                               "  - {between: [A, A], steps: [[3, 1], [1, .inf]]}\n";
+
+const char three_steps[] =
+    "seed: 14\n"
+    "box: {number_density: 0.2}\n"
+    "species: {A: {count: 256}}\n"
+    "potentials:\n"
+    "  - {between: [A, A], steps: [[1.8, -0.3], [1.5, -1], [1.2, 0.5], [1, .inf]]}\n";
+
+const char mixture[] =
+    "seed: 15\n"
+    "box: {number_density: 0.1}\n"
+    "species: {A: {count: 200, mass: 1}, B: {count: 56, mass: 30}}\n"
+    "start: {random: true}\n"
+    "potentials:\n"
+    "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n"
+    "  - {between: [B, B], steps: [[2.4, -0.5], [1.6, .inf]]}\n";
+
+const char discs_well[] = "seed: 16\n"
+                          "dimensions: 2\n"
+                          "box: {number_density: 0.3}\n"
+                          "species: {A: {count: 200}}\n"
+                          "potentials:\n"
+                          "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n";
+
+const char small_box[] = "seed: 17\n"
+                         "box: {size: [4.5, 5, 16]}\n"
+                         "species: {A: {count: 30}}\n"
+                         "start: {random: true}\n"
+                         "potentials:\n"
+                         "  - {between: [A, A], steps: [[2, -1], [1, .inf]]}\n";
+
+void make_system(brink_system *system, const char *scene)
+{
+    brink_scene s;
+    ck_assert_int_eq(
+        brink_scene_parse(scene, strlen(scene), "scene", "", &s, stderr), 0);
+    ck_assert_int_eq(brink_start_make(&s, "scene", system, stderr), 0);
+    brink_scene_destroy(&s);
+}
+
+void make_run(brink_run *run, const char *scene)
+{
+    brink_system system;
+    make_system(&system, scene);
+    ck_assert_int_eq(brink_run_create(run, &system, BRINK_TIER_PLAIN), 0);
+}
+
+void advance(brink_run *run, uint64_t events)
+{
+    const enum brink_run_status status = brink_run_advance(run, events, BRINK_NEVER);
+    char why[2000];
+    brink_run_diagnosis(run, status, why, sizeof why);
+    ck_assert_msg(status == BRINK_RUN_REACHED, "%s", why);
+}
+
+static int same_levels(const brink_run *a, const brink_run *b)
+{
+    const brink_states *s = &a->states;
+    if (s->used != b->states.used)
+        return 0;
+    for (uint32_t i = 0; i < s->particles; i++)
+        for (uint32_t k = s->first[i]; k != BRINK_NO_LINK; k = s->link[k].next)
+            if (brink_states_level(&b->states, i, s->link[k].partner) !=
+                s->link[k].level)
+                return 0;
+    return 1;
+}
+
+int same_state(const brink_run *a, const brink_run *b)
+{
+    const size_t n = a->system.count;
+    return n == b->system.count && a->system.epoch == b->system.epoch &&
+           memcmp(a->system.particle, b->system.particle,
+                  n * sizeof *a->system.particle) == 0 &&
+           memcmp(a->cells.cell, b->cells.cell, n * sizeof *a->cells.cell) == 0 &&
+           memcmp(a->calendar.entry, b->calendar.entry,
+                  2 * n * sizeof *a->calendar.entry) == 0 &&
+           memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&
+           brink_instant_compare(a->now, b->now) == 0 && same_levels(a, b);
+}
