@@ -8,7 +8,7 @@
  * later days of this year in a list a day, those of later years in one list that
  * is gone through when the year turns.
  *
- * One order: (time, kind, i, j).  What comes out does not depend on when or in
+ * One order: (time, kind, i, j), then slot.  What comes out does not depend on when or in
  * which order things were put in.
  */
 #include "clock.h"

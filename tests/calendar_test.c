@@ -92,13 +92,14 @@ static uint32_t earliest(const brink_calendar *c)
     uint32_t best = SLOTS;
     for (uint32_t s = 0; s < SLOTS; s++)
         if (c->entry[s].when.epoch != INT64_MAX &&
-            (best == SLOTS || brink_entry_compare(&c->entry[s], &c->entry[best]) < 0))
+            (best == SLOTS ||
+             brink_entry_compare(&c->entry[s], &c->entry[best]) < 0))
             best = s;
     return best;
 }
 
-// Against a look through all slots: a random log of takings, settings and clearings,
-// with ties (times are multiples of 1/8) and gaps of many years.
+// Against a look through all slots: a random log of takings, settings and
+// clearings, with ties (times are multiples of 1/8) and gaps of many years.
 START_TEST(what_comes_next_is_what_a_look_through_all_finds)
 {
     const unsigned long seed = 20260102;
@@ -118,7 +119,9 @@ START_TEST(what_comes_next_is_what_a_look_through_all_finds)
         }
         for (unsigned long n = gsl_rng_uniform_int(rng, 3); n > 0; n--) {
             const double reach = gsl_rng_uniform_int(rng, 50) ? 16 : 4000;
-            const double dt = gsl_rng_uniform_int(rng, (unsigned long)(8 * reach)) / 8.0;
+            const double dt =
+                (double)gsl_rng_uniform_int(rng, (unsigned long)(8 * reach)) /
+                8.0;
             const brink_instant t = brink_instant_after(YEAR, now, dt);
             set(&c, (uint32_t)gsl_rng_uniform_int(rng, SLOTS), t.epoch, t.offset,
                 (enum brink_entry_kind)gsl_rng_uniform_int(rng, 3),

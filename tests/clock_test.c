@@ -10,14 +10,16 @@
 
 START_TEST(a_sum_within_the_year_stays_in_it)
 {
-    const brink_instant t = brink_instant_after(YEAR, (brink_instant){7, 0.125}, 0.0625);
+    const brink_instant t =
+        brink_instant_after(YEAR, (brink_instant){7, 0.125}, 0.0625);
     ck_assert(t.epoch == 7 && t.offset == 0.1875);
 }
 END_TEST
 
 START_TEST(a_sum_that_is_the_year_begins_the_next)
 {
-    const brink_instant t = brink_instant_after(YEAR, (brink_instant){7, 0.125}, 0.125);
+    const brink_instant t =
+        brink_instant_after(YEAR, (brink_instant){7, 0.125}, 0.125);
     ck_assert(t.epoch == 8 && t.offset == 0.0);
 }
 END_TEST
@@ -51,7 +53,8 @@ START_TEST(a_sum_is_rounded_once_from_its_own_year)
         mpfr_set_sj(got, sum.epoch - t.epoch, MPFR_RNDN);
         mpfr_mul_d(got, got, YEAR, MPFR_RNDN);
         mpfr_add_d(got, got, sum.offset, MPFR_RNDN);
-        ck_assert_msg(mpfr_equal_p(got, exact) && sum.offset >= 0 && sum.offset < YEAR,
+        ck_assert_msg(mpfr_equal_p(got, exact) && sum.offset >= 0 &&
+                          sum.offset < YEAR,
                       "offset %a, dt %a", t.offset, dt);
     }
     mpfr_clears(exact, got, (mpfr_ptr)0);
@@ -83,7 +86,8 @@ END_TEST
 int main(void)
 {
     return RUN_SUITE("clock", 60, a_sum_within_the_year_stays_in_it,
-                     a_sum_that_is_the_year_begins_the_next, waiting_for_ever_is_never,
+                     a_sum_that_is_the_year_begins_the_next,
+                     waiting_for_ever_is_never,
                      a_sum_is_rounded_once_from_its_own_year,
                      an_instant_late_in_a_long_run_is_as_fine_as_an_early_one,
                      a_time_as_one_double_goes_there_and_back);

@@ -3,18 +3,19 @@
 #define SUITE_H
 /**
  * What every Check program ends with:
- *     int main(void) { return RUN_SUITE("calendar", 60, empty_has_no_next, ...); }
- * Each test runs in a process of its own and is given `seconds`.
+ *     int main(void) { return RUN_SUITE("calendar", 60, empty_has_no_next, ...);
+ * } Each test runs in a process of its own and is given `seconds`.
  */
 #include <check.h>
 #include <stddef.h>
 
-#define RUN_SUITE(name, seconds, ...)                                                  \
-    run_suite(name, seconds, (const TTest *const[]){__VA_ARGS__},                      \
-              sizeof((const TTest *const[]){__VA_ARGS__}) / sizeof(const TTest *))
+#define RUN_SUITE(name, seconds, ...)                                            \
+    run_suite(name, seconds, (const TTest *const[]){__VA_ARGS__},                \
+              sizeof((const TTest *const[]){__VA_ARGS__}) /                      \
+                  sizeof(const TTest *))
 
-static inline int run_suite(const char *name, double seconds, const TTest *const *tests,
-                            size_t count)
+static inline int run_suite(const char *name, double seconds,
+                            const TTest *const *tests, size_t count)
 {
     Suite *suite = suite_create(name);
     TCase *tcase = tcase_create(name);

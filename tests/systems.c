@@ -9,24 +9,26 @@ const char hard_spheres[] = "seed: 11\n"
                             "box: {packing_fraction: 0.3}\n"
                             "species: {A: {count: 256, diameter: 1}}\n";
 
-const char square_well[] = "seed: 12\n"
-                           "box: {number_density: 0.3}\n"
-                           "species: {A: {count: 256}}\n"
-                           "potentials:\n"
-                           "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n";
-
-const char square_shoulder[] = "seed: 13\n"
-                               "box: {number_density: 0.01}\n"
-                               "species: {A: {count: 256}}\n"
-                               "potentials:\n"
-                               "  - {between: [A, A], steps: [[3, 1], [1, .inf]]}\n";
-
-const char three_steps[] =
-    "seed: 14\n"
-    "box: {number_density: 0.2}\n"
+const char square_well[] =
+    "seed: 12\n"
+    "box: {number_density: 0.3}\n"
     "species: {A: {count: 256}}\n"
     "potentials:\n"
-    "  - {between: [A, A], steps: [[1.8, -0.3], [1.5, -1], [1.2, 0.5], [1, .inf]]}\n";
+    "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n";
+
+const char square_shoulder[] =
+    "seed: 13\n"
+    "box: {number_density: 0.01}\n"
+    "species: {A: {count: 256}}\n"
+    "potentials:\n"
+    "  - {between: [A, A], steps: [[3, 1], [1, .inf]]}\n";
+
+const char three_steps[] = "seed: 14\n"
+                           "box: {number_density: 0.2}\n"
+                           "species: {A: {count: 256}}\n"
+                           "potentials:\n"
+                           "  - {between: [A, A], steps: [[1.8, -0.3], [1.5, "
+                           "-1], [1.2, 0.5], [1, .inf]]}\n";
 
 const char mixture[] =
     "seed: 15\n"
@@ -37,12 +39,13 @@ const char mixture[] =
     "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n"
     "  - {between: [B, B], steps: [[2.4, -0.5], [1.6, .inf]]}\n";
 
-const char discs_well[] = "seed: 16\n"
-                          "dimensions: 2\n"
-                          "box: {number_density: 0.3}\n"
-                          "species: {A: {count: 200}}\n"
-                          "potentials:\n"
-                          "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n";
+const char discs_well[] =
+    "seed: 16\n"
+    "dimensions: 2\n"
+    "box: {number_density: 0.3}\n"
+    "species: {A: {count: 200}}\n"
+    "potentials:\n"
+    "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n";
 
 const char small_box[] = "seed: 17\n"
                          "box: {size: [4.5, 5, 16]}\n"
@@ -69,7 +72,8 @@ void make_run(brink_run *run, const char *scene)
 
 void advance(brink_run *run, uint64_t events)
 {
-    const enum brink_run_status status = brink_run_advance(run, events, BRINK_NEVER);
+    const enum brink_run_status status =
+        brink_run_advance(run, events, BRINK_NEVER);
     char why[2000];
     brink_run_diagnosis(run, status, why, sizeof why);
     ck_assert_msg(status == BRINK_RUN_REACHED, "%s", why);

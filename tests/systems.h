@@ -4,16 +4,19 @@
 /** Small systems for suites, made from the text of a scene. */
 #include "run.h"
 
-/** A system from a scene's text; the test fails with the scene's errors otherwise. */
+/** A system from a scene's text; the test fails with the scene's errors
+ * otherwise. */
 void make_system(brink_system *system, const char *scene);
 
 /** The same, as a run before its first event. */
 void make_run(brink_run *run, const char *scene);
 
-/** Advances to `events` in all; the test fails if the run stops for another reason. */
+/** Advances to `events` in all; the test fails if the run stops for another
+ * reason. */
 void advance(brink_run *run, uint64_t events);
 
-/** Bytes in which two runs differ: every bit of the state that a checkpoint holds. */
+/** Bytes in which two runs differ: every bit of the state that a checkpoint
+ * holds. */
 int same_state(const brink_run *a, const brink_run *b);
 
 extern const char hard_spheres[], square_well[], square_shoulder[], three_steps[],

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "cells.h"
+#include "suite.h"
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const brink_potential hard = {1, (const double[]){1},
+                                     (const double[]){(double)INFINITY}};
+
+static void make(brink_system *s, int dimensions, double x, double y, double z,
+                 uint32_t count, gsl_rng *rng)
+{
+    const brink_species species = {"A", 1, 1, count};
+    const double box[3] = {x, y, z};
+    ck_assert_int_eq(
+        brink_system_create(s, dimensions, box, 1.0, count, 1, &species, &hard),
+        0);
+    for (uint32_t i = 0; i < count; i++)
+        for (int a = 0; a < dimensions; a++) {
+            s->particle[i].x[a] =
+                (uint64_t)gsl_rng_get(rng) << 32 | gsl_rng_get(rng);
+            s->particle[i].v[a] = gsl_rng_uniform(rng) - 0.5;
+        }
+}
+
+static gsl_rng *seeded(unsigned long seed)
+{
+    printf("seed %lu\n", seed);
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(rng, seed);
+    return rng;
+}
+
+START_TEST(cells_are_wider_than_the_interaction_or_three_with_images)
+{
+    gsl_rng *rng = seeded(1);
+    brink_system s;
+    brink_cells c;
+    make(&s, 3, 30, 4.9, 5.1, 5000, rng);
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(c.count[0],
+                     29); // 30 cells of exactly the range have no slack
+    ck_assert_int_eq(c.images[0], 1);
+    ck_assert_int_eq(c.count[1],
+                     3); // 4 would fit, but not be enough for one image
+    ck_assert_int_eq(c.images[1], 3);
+    ck_assert_int_eq(c.count[2], 5);
+    ck_assert_int_eq(c.images[2], 1);
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    make(&s, 2, 1000, 1000, 1, 100, rng); // dilute: as many cells as particles
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(c.count[0], 10);
+    ck_assert_int_eq(c.count[2], 1);
+    ck_assert_int_eq(c.images[2], 1);
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+// Every pair within the range of each other is in adjacent cells.
+START_TEST(whoever_is_in_range_is_adjacent)
+{
+    gsl_rng *rng = seeded(2);
+    for (int dimensions = 2; dimensions <= 3; dimensions++) {
+        brink_system s;
+        brink_cells c;
+        uint32_t around[27];
+        double r[3];
+        make(&s, dimensions, 12, 9, dimensions == 3 ? 4 : 1, 500, rng);
+        ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+        for (uint32_t i = 0; i < s.count; i++) {
+            uint8_t adjacent[500] = {0};
+            const int n = brink_cells_around(&c, c.cell[i], around);
+            for (int k = 0; k < n; k++)
+                for (uint32_t j = c.first[around[k]]; j != BRINK_NOBODY;
+                     j = c.next[j])
+                    ck_assert_msg(!adjacent[j]++, "%u twice around %u", j, i);
+            for (uint32_t j = 0; j < s.count; j++) {
+                brink_system_separation(&s, i, j, 0.0, r);
+                if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] <= 1)
+                    ck_assert_msg(adjacent[j], "%u and %u", i, j);
+            }
+        }
+        brink_cells_destroy(&c);
+        brink_system_destroy(&s);
+    }
+    gsl_rng_free(rng);
+}
+END_TEST
+
+START_TEST(what_is_ahead_is_what_was_not_adjacent_before)
+{
+    gsl_rng *rng = seeded(3);
+    brink_system s;
+    brink_cells c;
+    make(&s, 3, 8, 9, 10, 600, rng);
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    for (uint32_t i = 0; i < 100; i++)
+        for (int axis = 0; axis < 3; axis++)
+            for (int way = -1; way <= 1; way += 2) {
+                uint32_t before[27], after[27], ahead[27];
+                const brink_crossing crossing = {axis, way};
+                const int n = brink_cells_around(&c, c.cell[i], before);
+                ck_assert_int_eq(brink_cells_cross(&c, i, crossing), 1);
+                ck_assert_int_eq(brink_cells_around(&c, c.cell[i], after), n);
+                const int m = brink_cells_ahead(&c, c.cell[i], crossing, ahead);
+                int fresh = 0;
+                for (int k = 0; k < n; k++) {
+                    int known = 0, listed = 0;
+                    for (int l = 0; l < n; l++)
+                        known |= before[l] == after[k];
+                    for (int l = 0; l < m; l++)
+                        listed |= ahead[l] == after[k];
+                    fresh += !known;
+                    ck_assert_int_eq(listed, !known);
+                }
+                ck_assert_int_eq(fresh, m);
+            }
+    ck_assert_ptr_null(brink_cells_is_valid(&c));
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+// Followed through its crossings, a particle is where its cell says, to a
+// rounding.
+START_TEST(crossings_keep_the_cell_in_step_with_the_position)
+{
+    gsl_rng *rng = seeded(4);
+    brink_system s;
+    brink_cells c;
+    make(&s, 3, 8, 3, 11, 300, rng);
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    for (uint32_t i = 0; i < s.count; i++)
+        for (int n = 0; n < 200; n++) {
+            brink_particle *p = &s.particle[i];
+            brink_crossing crossing = {0, 0};
+            const double dt =
+                brink_cells_crossing(&c, &s, i, p->since, &crossing);
+            ck_assert(dt >= 0 && isfinite(dt));
+            brink_system_advance(&s, i, p->since + dt);
+            p->since = 0; // every flight starts a year of its own
+            ck_assert_int_eq(brink_cells_cross(&c, i, crossing), 1);
+            const int index =
+                (int)(crossing.axis == 0   ? c.cell[i] % (uint32_t)c.count[0]
+                      : crossing.axis == 1 ? c.cell[i] / (uint32_t)c.count[0] %
+                                                 (uint32_t)c.count[1]
+                                           : c.cell[i] / (uint32_t)c.count[0] /
+                                                 (uint32_t)c.count[1]);
+            const uint64_t wall =
+                c.wall[crossing.axis][index + (crossing.way < 0)];
+            const double off =
+                fabs((double)(int64_t)(p->x[crossing.axis] - wall) *
+                     s.unit[crossing.axis]);
+            // gap, dt, product and quotient by the length round once each,
+            // relative to a flight of at most a cell; positions to a unit.
+            const double width = s.length[crossing.axis] / c.count[crossing.axis];
+            ck_assert_msg(off <= 5 * width * 0x1p-53 + 2 * s.unit[crossing.axis],
+                          "particle %u is %a from the wall", i, off);
+        }
+    ck_assert_ptr_null(brink_cells_is_valid(&c));
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+START_TEST(a_particle_at_rest_never_crosses)
+{
+    gsl_rng *rng = seeded(5);
+    brink_system s;
+    brink_cells c;
+    brink_crossing crossing;
+    make(&s, 3, 8, 8, 8, 10, rng);
+    for (int a = 0; a < 3; a++)
+        s.particle[3].v[a] = 0;
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert(isinf(brink_cells_crossing(&c, &s, 3, 0.0, &crossing)));
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+START_TEST(the_check_sees_a_particle_in_the_wrong_list)
+{
+    gsl_rng *rng = seeded(6);
+    brink_system s;
+    brink_cells c;
+    make(&s, 3, 8, 8, 8, 10, rng);
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_ptr_null(brink_cells_is_valid(&c));
+    c.cell[4] ^= 1;
+    ck_assert_ptr_nonnull(brink_cells_is_valid(&c));
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("cells", 60,
+                     cells_are_wider_than_the_interaction_or_three_with_images,
+                     whoever_is_in_range_is_adjacent,
+                     what_is_ahead_is_what_was_not_adjacent_before,
+                     crossings_keep_the_cell_in_step_with_the_position,
+                     a_particle_at_rest_never_crosses,
+                     the_check_sees_a_particle_in_the_wrong_list);
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "states.h"
+#include "suite.h"
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { COUNT = 40 };
+
+static const brink_potential terrace = {
+    3, (const double[]){3, 2, 1}, (const double[]){-1, -3, (double)INFINITY}};
+static const brink_potential shoulder = {1, (const double[]){2},
+                                         (const double[]){0.5}};
+
+// Two species: A with a terrace and a core, B with a shoulder one can get on top
+// of.
+static void make(brink_system *s)
+{
+    const brink_species species[] = {{"A", 1, 1, COUNT / 2},
+                                     {"B", 1, 2, COUNT / 2}};
+    const brink_potential table[] = {terrace, shoulder, shoulder, shoulder};
+    const double box[3] = {30, 30, 30};
+    ck_assert_int_eq(brink_system_create(s, 3, box, 1, COUNT, 2, species, table),
+                     0);
+    for (uint32_t i = COUNT / 2; i < COUNT; i++)
+        s->particle[i].species = 1;
+}
+
+START_TEST(only_captured_pairs_are_stored_and_both_know)
+{
+    brink_system s;
+    brink_states t;
+    make(&s);
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    ck_assert_int_eq(brink_states_level(&t, 3, 7), 0);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 3, 7, BRINK_CAPTURE), 0);
+    ck_assert_int_eq(brink_states_level(&t, 3, 7), 1);
+    ck_assert_int_eq(brink_states_level(&t, 7, 3), 1);
+    ck_assert_uint_eq(t.used, 2);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 7, 3, BRINK_RELEASE), 0);
+    ck_assert_uint_eq(t.used, 0);
+    ck_assert_ptr_null(brink_states_is_valid(&t, &s));
+    brink_states_destroy(&t);
+    brink_system_destroy(&s);
+}
+END_TEST
+
+START_TEST(an_illegal_event_is_refused_and_changes_nothing)
+{
+    brink_system s;
+    brink_states t;
+    make(&s);
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 0, 1, BRINK_RELEASE), 1);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 0, 1, BRINK_CORE), 1);
+    ck_assert_int_eq(brink_states_level(&t, 0, 1), 0);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 0, 1, BRINK_CAPTURE), 0);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 0, 1, BRINK_CAPTURE), 0);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 0, 1, BRINK_CAPTURE),
+                     1); // the core
+    ck_assert_int_eq(brink_states_level(&t, 0, 1), 2);
+    ck_assert_int_eq(brink_states_apply(&t, &s, 0, 1, BRINK_CORE), 0);
+    ck_assert_int_eq(brink_states_level(&t, 0, 1), 2);
+    brink_states_destroy(&t);
+    brink_system_destroy(&s);
+}
+END_TEST
+
+START_TEST(the_energy_is_a_count_times_the_energies)
+{
+    brink_system s;
+    brink_states t;
+    make(&s);
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    brink_states_set(&t, &s, 0, 1, 2);                 // A, A: -3
+    brink_states_set(&t, &s, 1, 2, 1);                 // A, A: -1
+    brink_states_set(&t, &s, 0, COUNT / 2, 1);         // A, B: 0.5
+    brink_states_set(&t, &s, COUNT / 2, COUNT - 1, 1); // B, B: 0.5
+    ck_assert(brink_states_energy(&t, &s) == -3.0);
+    brink_states_set(&t, &s, 0, 1, 0);
+    ck_assert(brink_states_energy(&t, &s) == 0.0);
+    brink_states_destroy(&t);
+    brink_system_destroy(&s);
+}
+END_TEST
+
+// A random log of events against a square table of levels.
+START_TEST(a_log_of_events_leaves_the_levels_of_a_plain_table)
+{
+    const unsigned long seed = 20260105;
+    printf("seed %lu\n", seed);
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(rng, seed);
+    brink_system s;
+    brink_states t;
+    int level[COUNT][COUNT];
+    memset(level, 0, sizeof level);
+    make(&s);
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    for (int step = 0; step < 100000; step++) {
+        const uint32_t i = (uint32_t)gsl_rng_uniform_int(rng, COUNT);
+        const uint32_t j = (uint32_t)gsl_rng_uniform_int(rng, COUNT);
+        if (i == j)
+            continue;
+        // Full levels: A with A 0, 1, 2 and a core; otherwise 0 and 1.
+        const int terraced = i < COUNT / 2 && j < COUNT / 2;
+        const int in = gsl_rng_uniform(rng) < 0.5;
+        const int before = level[i][j];
+        const int legal = in ? before < (terraced ? 2 : 1) : before > 0;
+        const int status =
+            brink_states_apply(&t, &s, i, j, in ? BRINK_CAPTURE : BRINK_RELEASE);
+        ck_assert_int_eq(status, !legal);
+        if (legal)
+            level[i][j] = level[j][i] = before + (in ? 1 : -1);
+        ck_assert_int_eq(brink_states_level(&t, i, j), level[i][j]);
+        if (step % 1000 == 0)
+            ck_assert_ptr_null(brink_states_is_valid(&t, &s));
+    }
+    for (uint32_t i = 0; i < COUNT; i++)
+        for (uint32_t j = 0; j < COUNT; j++)
+            if (i != j)
+                ck_assert_int_eq(brink_states_level(&t, i, j), level[i][j]);
+    ck_assert_ptr_null(brink_states_is_valid(&t, &s));
+    brink_states_destroy(&t);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+START_TEST(the_check_sees_particles_that_disagree)
+{
+    brink_system s;
+    brink_states t;
+    make(&s);
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    brink_states_set(&t, &s, 0, 1, 1);
+    t.link[t.first[0]].level = 2;
+    ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
+    t.link[t.first[0]].level = 1;
+    t.pairs[1]++;
+    ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
+    brink_states_destroy(&t);
+    brink_system_destroy(&s);
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("states", 60, only_captured_pairs_are_stored_and_both_know,
+                     an_illegal_event_is_refused_and_changes_nothing,
+                     the_energy_is_a_count_times_the_energies,
+                     a_log_of_events_leaves_the_levels_of_a_plain_table,
+                     the_check_sees_particles_that_disagree);
+}
