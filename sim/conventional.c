@@ -12,7 +12,6 @@ typedef struct search {
     const brink_run *house;
     const brink_rule *rule;
     uint32_t i;
-    double offset; // of now, in the current year
     brink_entry best;
     int seen; // the level it was predicted for
 } search;
@@ -27,23 +26,12 @@ static double mass(const brink_system *s, uint32_t i)
     return s->species[s->particle[i].species].mass;
 }
 
-// With three cells on an axis particles can drift past half the box from one
-// another.
-static void nearest(const brink_system *s, uint32_t i, uint32_t k, double offset,
-                    double r[3])
-{
-    brink_system_separation(s, i, k, offset, r);
-    for (int a = 0; a < 3; a++)
-        r[a] -= s->length[a] * rint(r[a] / s->length[a]);
-}
-
 static void offer(search *s, uint32_t k, double dt, enum brink_direction way,
                   int seen)
 {
     const brink_system *system = &s->house->system;
-    const brink_instant now = {system->epoch, s->offset};
     const brink_entry found = {
-        .when = brink_instant_after(system->year, now, dt),
+        .when = brink_instant_after(system->year, s->house->now, dt),
         .i = s->i < k ? s->i : k,
         .j = s->i < k ? k : s->i,
         .generation = system->particle[k].generation,
@@ -116,7 +104,7 @@ static void predict_in(search *s, const uint32_t *cells, int count,
             if (k == s->i)
                 continue;
             double r[3], v[3];
-            nearest(system, s->i, k, s->offset, r);
+            brink_separation_now(house, s->i, k, r);
             for (int a = 0; a < 3; a++)
                 v[a] = system->particle[s->i].v[a] - system->particle[k].v[a];
             const int level = s->rule->level(house, s->i, k, r);
@@ -133,34 +121,33 @@ static void keep(brink_conventional *c, const search *s)
     brink_calendar_set(&c->house.calendar, s->i, &s->best);
 }
 
-static void predict(brink_conventional *c, uint32_t i, double offset)
+static void predict(brink_conventional *c, uint32_t i)
 {
     const brink_cells *cells = &c->house.cells;
-    search s = {&c->house, c->rule, i, offset, {.when = BRINK_NEVER}, 0};
+    search s = {&c->house, c->rule, i, {.when = BRINK_NEVER}, 0};
     uint32_t around[27];
     predict_in(&s, around, brink_cells_around(cells, cells->cell[i], around), 0);
     keep(c, &s);
 }
 
-static void predict_ahead(brink_conventional *c, uint32_t i, double offset,
-                          brink_crossing way)
+static void predict_ahead(brink_conventional *c, uint32_t i, brink_crossing way)
 {
     const brink_cells *cells = &c->house.cells;
-    search s = {&c->house, c->rule, i, offset, c->house.calendar.entry[i],
-                c->seen[i]};
+    search s = {&c->house, c->rule, i, c->house.calendar.entry[i], c->seen[i]};
     uint32_t ahead[27];
     predict_in(&s, ahead, brink_cells_ahead(cells, cells->cell[i], way, ahead),
                1);
     keep(c, &s);
 }
 
-static void predict_crossing(brink_run *house, uint32_t i, double offset)
+static void predict_crossing(brink_run *house, uint32_t i)
 {
     const brink_system *s = &house->system;
-    const brink_instant now = {s->epoch, offset};
     brink_crossing next = {0, 0};
-    const double dt = brink_cells_crossing(&house->cells, s, i, offset, &next);
-    const brink_entry entry = {.when = brink_instant_after(s->year, now, dt),
+    const double dt =
+        brink_cells_crossing(&house->cells, s, i, house->now.offset, &next);
+    const brink_entry entry = {.when =
+                                   brink_instant_after(s->year, house->now, dt),
                                .i = i,
                                .j = (uint32_t)(2 * next.axis + (next.way > 0)),
                                .kind = BRINK_ENTRY_CELL};
@@ -170,13 +157,12 @@ static void predict_crossing(brink_run *house, uint32_t i, double offset)
 static void cross_wall(brink_conventional *c, const brink_entry *entry)
 {
     const uint32_t i = entry->i;
-    const double offset = entry->when.offset;
     const brink_crossing way = {(int)(entry->j / 2), entry->j % 2 ? 1 : -1};
-    brink_system_advance(&c->house.system, i, offset);
+    brink_system_advance(&c->house.system, i, entry->when.offset);
     brink_cells_cross(&c->house.cells, i, way);
     c->house.tally.cell++;
-    predict_crossing(&c->house, i, offset);
-    predict_ahead(c, i, offset, way);
+    predict_crossing(&c->house, i);
+    predict_ahead(c, i, way);
 }
 
 // The impulse of the method's choice; returns what it takes to have happened. Its
@@ -247,16 +233,15 @@ static enum brink_run_status meet(brink_conventional *c, const brink_entry *entr
     brink_run *house = &c->house;
     brink_system *s = &house->system;
     const uint32_t i = entry->i, j = entry->j;
-    const double offset = entry->when.offset;
     const int outward = entry->kind == BRINK_ENTRY_OUTWARD;
     brink_meeting m = {.i = i,
                        .j = j,
                        .potential = brink_system_potential(s, i, j),
                        .step = outward ? seen - 1 : seen,
                        .seen_inside = outward};
-    brink_system_advance(s, i, offset);
-    brink_system_advance(s, j, offset);
-    brink_system_separation(s, i, j, offset, m.r);
+    brink_system_advance(s, i, entry->when.offset);
+    brink_system_advance(s, j, entry->when.offset);
+    brink_separation_now(house, i, j, m.r);
     for (int a = 0; a < 3; a++)
         m.v[a] = s->particle[i].v[a] - s->particle[j].v[a];
 
@@ -272,10 +257,10 @@ static enum brink_run_status meet(brink_conventional *c, const brink_entry *entr
     count_event(c, entry, kind, &m, m.step + inside, m.step + ends_inside);
     if (brink_states_set(&house->states, s, i, j, m.step + ends_inside))
         return BRINK_RUN_NO_MEMORY;
-    predict_crossing(house, i, offset);
-    predict_crossing(house, j, offset);
-    predict(c, i, offset);
-    predict(c, j, offset);
+    predict_crossing(house, i);
+    predict_crossing(house, j);
+    predict(c, i);
+    predict(c, j);
     return c->still > BRINK_STANDSTILL ? BRINK_RUN_STUCK : BRINK_RUN_REACHED;
 }
 
@@ -295,7 +280,7 @@ static enum brink_run_status execute(brink_conventional *c, uint32_t slot)
         return meet(c, &entry, c->seen[slot]);
     house->tally.stale++;
     brink_system_advance(&house->system, slot, entry.when.offset);
-    predict(c, slot, entry.when.offset);
+    predict(c, slot);
     return BRINK_RUN_REACHED;
 }
 
@@ -326,7 +311,7 @@ int brink_conventional_create(brink_conventional *c, brink_system *system,
         return -1;
     }
     for (uint32_t i = 0; i < count; i++)
-        predict(c, i, 0.0);
+        predict(c, i);
     return 0;
 }
 
@@ -354,7 +339,7 @@ double brink_energy_by_position(const brink_run *run)
                     continue;
                 const brink_potential *p = brink_system_potential(s, i, k);
                 double r[3];
-                nearest(s, i, k, run->now.offset, r);
+                brink_separation_now(run, i, k, r);
                 const int was_last = i == last->i && k == last->j;
                 const int level =
                     was_last ? last->level_after : brink_level_by_position(p, r);

@@ -4,6 +4,17 @@
 #include <brink/overlap.h>
 #include <math.h>
 
+// With three cells on an axis particles can drift past half the box from one
+// another.
+void brink_separation_now(const brink_run *run, uint32_t i, uint32_t j,
+                          double r[3])
+{
+    const brink_system *s = &run->system;
+    brink_system_separation(s, i, j, run->now.offset, r);
+    for (int a = 0; a < 3; a++)
+        r[a] -= s->length[a] * rint(r[a] / s->length[a]);
+}
+
 int brink_level_by_position(const brink_potential *p, const double r[3])
 {
     const int seen = brink_step_level_at(p, r),

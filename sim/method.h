@@ -59,6 +59,10 @@ typedef struct brink_rule {
 
 const brink_rule *brink_method_rule(enum brink_method method);
 
+/** Nearest-image separation of i and j at the run's present instant. */
+void brink_separation_now(const brink_run *run, uint32_t i, uint32_t j,
+                          double r[3]);
+
 /** The level that position shows, no pair being ever inside a hard core. */
 int brink_level_by_position(const brink_potential *p, const double r[3]);
 
