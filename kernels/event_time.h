@@ -7,6 +7,12 @@
  * <brink/overlap.h>.
  */
 #include <stddef.h>
+
+/** Bound of the times' error in ulp. */
+#define BRINK_EVENT_TIME_ULP 8
+/** Bound of a fast time's distance from the surface in eps (sigma + |v| t). */
+#define BRINK_EVENT_TIME_GAP 8
+
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -1,164 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
-#include <brink/event_time.h>
+#include "predict.h"
 #include <brink/impulse.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef double event_time(const double r[3], const double v[3], double sigma);
-
-static const struct {
-    event_time *intersection, *disjoint;
-} tiers[] = {
-    [BRINK_TIER_FAST] = {brink_intersection_time_fast, brink_disjoint_time_fast},
-    [BRINK_TIER_PLAIN] = {brink_intersection_time, brink_disjoint_time},
-    [BRINK_TIER_CR] = {brink_intersection_time_cr, brink_disjoint_time_cr},
-};
-
-// The search for a slot's next pair event: the earliest found so far.
-typedef struct search {
-    const brink_run *run;
-    uint32_t i;
-    double offset;  // of now, in the current year
-    double soonest; // offset + dt of `best`; its instant follows from this sum
-    brink_entry best;
-} search;
-
-static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
-{
-    const double sum = s->offset + dt;
-    if (!(sum <= s->soonest) || isinf(sum))
-        return;
-    const brink_run *run = s->run;
-    const brink_instant now = {run->system.epoch, s->offset};
-    const brink_entry found = {
-        .when = brink_instant_after(run->system.year, now, dt),
-        .i = s->i < k ? s->i : k,
-        .j = s->i < k ? k : s->i,
-        .generation = run->system.particle[k].generation,
-        .kind = (uint16_t)kind,
-        .at_once = dt == 0,
-    };
-    if (brink_entry_compare(&found, &s->best) < 0) {
-        s->best = found;
-        s->soonest = sum;
-    }
-}
-
-// Relative position and velocity of i and k, as i's prediction sees them.
-static void relative(const search *s, uint32_t k, double r[3], double v[3])
-{
-    const brink_system *system = &s->run->system;
-    brink_system_separation(system, s->i, k, s->offset, r);
-    for (int a = 0; a < 3; a++)
-        v[a] = system->particle[s->i].v[a] - system->particle[k].v[a];
-    // With images the particles can drift past half the box from where they were.
-    for (int a = 0; a < system->dimensions; a++)
-        if (s->run->cells.images[a] > 1)
-            r[a] -= system->length[a] * rint(r[a] / system->length[a]);
-}
-
-// A captured pair can meet the step inside and the step around it [S16 alg. 3].
-static void predict_partner(search *s, uint32_t k, int level)
-{
-    const brink_potential *p = brink_system_potential(&s->run->system, s->i, k);
-    const enum brink_tier tier = s->run->tier;
-    double r[3], v[3];
-    relative(s, k, r, v);
-    if (level < p->count)
-        offer(s, k, tiers[tier].intersection(r, v, p->distance[level]),
-              BRINK_ENTRY_INWARD);
-    offer(s, k, tiers[tier].disjoint(r, v, p->distance[level - 1]),
-          BRINK_ENTRY_OUTWARD);
-}
-
-// An uncaptured pair can meet the outermost step, in any image.
-static void predict_stranger(search *s, uint32_t k)
-{
-    const brink_run *run = s->run;
-    const brink_potential *p = brink_system_potential(&run->system, s->i, k);
-    double r[3], v[3];
-    relative(s, k, r, v);
-    for (int m = 0; m < run->images; m++) {
-        const double *shift = run->image[m];
-        const double image[3] = {r[0] + shift[0], r[1] + shift[1],
-                                 r[2] + shift[2]};
-        offer(s, k, tiers[run->tier].intersection(image, v, p->distance[0]),
-              BRINK_ENTRY_INWARD);
-    }
-}
-
-static void mark_partners(brink_run *run, uint32_t i, uint8_t mark)
-{
-    const brink_states *states = &run->states;
-    for (uint32_t n = states->first[i]; n != BRINK_NO_LINK;
-         n = states->link[n].next)
-        run->mark[states->link[n].partner] = mark;
-}
-
-static void predict_strangers(search *s, const uint32_t *cells, int count)
-{
-    const brink_run *run = s->run;
-    for (int n = 0; n < count; n++)
-        for (uint32_t k = run->cells.first[cells[n]]; k != BRINK_NOBODY;
-             k = run->cells.next[k])
-            if (k != s->i && !run->mark[k])
-                predict_stranger(s, k);
-}
-
-// Sets particle i's slot to its first pair event.  Particle i is at `offset`.
-static void predict(brink_run *run, uint32_t i, double offset)
-{
-    const brink_states *states = &run->states;
-    search s = {run, i, offset, (double)INFINITY, {.when = BRINK_NEVER}};
-    uint32_t around[27];
-    const int cells = brink_cells_around(&run->cells, run->cells.cell[i], around);
-    for (uint32_t n = states->first[i]; n != BRINK_NO_LINK;
-         n = states->link[n].next)
-        predict_partner(&s, states->link[n].partner, states->link[n].level);
-    mark_partners(run, i, 1);
-    predict_strangers(&s, around, cells);
-    mark_partners(run, i, 0);
-    brink_calendar_set(&run->calendar, i, &s.best);
-}
-
-// Particle i has just come by `crossing`: only those ahead of it are new.  Its
-// event with somebody it knew already stands, stale or not: a stale one is never
-// too late.
-static void predict_ahead(brink_run *run, uint32_t i, double offset,
-                          brink_crossing crossing)
-{
-    const brink_entry *known = &run->calendar.entry[i];
-    const brink_instant new_year = {run->system.epoch, 0.0};
-    const double sum =
-        brink_instant_since(run->system.year, known->when, new_year);
-    search s = {run, i, offset, sum, *known};
-    uint32_t ahead[27];
-    const int cells =
-        brink_cells_ahead(&run->cells, run->cells.cell[i], crossing, ahead);
-    mark_partners(run, i, 1);
-    predict_strangers(&s, ahead, cells);
-    mark_partners(run, i, 0);
-    brink_calendar_set(&run->calendar, i, &s.best);
-}
-
-static void predict_crossing(brink_run *run, uint32_t i, double offset)
-{
-    const brink_system *system = &run->system;
-    brink_crossing next = {0, 0};
-    const double dt = brink_cells_crossing(&run->cells, system, i, offset, &next);
-    const brink_instant now = {system->epoch, offset};
-    const brink_entry entry = {
-        .when = brink_instant_after(system->year, now, dt),
-        .i = i,
-        .j = (uint32_t)(2 * next.axis + (next.way > 0)),
-        .kind = BRINK_ENTRY_CELL,
-    };
-    brink_calendar_set(&run->calendar, system->count + i, &entry);
-}
 
 static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry)
 {
@@ -169,22 +17,20 @@ static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry
     if (!brink_cells_cross(&run->cells, i, crossing))
         return BRINK_RUN_REFUSED;
     run->tally.cell++;
-    predict_crossing(run, i, offset);
-    predict_ahead(run, i, offset, crossing);
+    brink_predict_crossing(run, i, offset);
+    brink_predict_ahead(run, i, offset, crossing);
     return BRINK_RUN_REACHED;
 }
 
 // Velocities after the meeting; what happened.
 static enum brink_event_kind resolve(brink_run *run, const double r[3],
-                                     const brink_potential *p,
-                                     enum brink_direction way, uint32_t i,
-                                     uint32_t j, int level)
+                                     double rise, enum brink_direction way,
+                                     uint32_t i, uint32_t j)
 {
     const brink_system *s = &run->system;
     brink_particle *a = &s->particle[i], *b = &s->particle[j];
     const double ma = s->species[a->species].mass,
                  mb = s->species[b->species].mass;
-    const double rise = brink_step_rise(p, level, way);
     enum brink_event_kind kind = BRINK_BOUNCE;
     double virial;
     if (isinf(rise)) {
@@ -230,10 +76,15 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
     const int level = brink_states_level(&run->states, i, j);
     const enum brink_direction way =
         entry->kind == BRINK_ENTRY_INWARD ? BRINK_INWARD : BRINK_OUTWARD;
+    const double rise = brink_step_rise(p, level, way);
     double r[3];
     brink_system_advance(s, i, offset);
     brink_system_advance(s, j, offset);
     brink_system_separation(s, i, j, offset, r);
+    if (isnan(rise)) { // there is no such step to meet from this level
+        run->tally.refused++;
+        return BRINK_RUN_REFUSED;
+    }
     brink_happening event = {
         .i = i,
         .j = j,
@@ -241,7 +92,7 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
         .distance = p->distance[way == BRINK_INWARD ? level : level - 1],
         .when = entry->when,
     };
-    event.kind = resolve(run, r, p, way, i, j, level);
+    event.kind = resolve(run, r, rise, way, i, j);
     const int applied = brink_states_apply(&run->states, s, i, j, event.kind);
     event.level_after = brink_states_level(&run->states, i, j);
     count_event(run, entry, &event, r);
@@ -250,10 +101,10 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
         run->tally.refused += applied > 0;
         return applied > 0 ? BRINK_RUN_REFUSED : BRINK_RUN_NO_MEMORY;
     }
-    predict_crossing(run, i, offset);
-    predict_crossing(run, j, offset);
-    predict(run, i, offset);
-    predict(run, j, offset);
+    brink_predict_crossing(run, i, offset);
+    brink_predict_crossing(run, j, offset);
+    brink_predict(run, i, offset);
+    brink_predict(run, j, offset);
     // A scene may have as many simultaneous events as it has pairs in contact,
     // some a few times over; one that has this many more has stopped.
     return run->idle > 1000 + 16 * (uint64_t)s->count ? BRINK_RUN_STUCK
@@ -273,7 +124,7 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
     if (s->particle[partner].generation != entry.generation) {
         run->tally.stale++;
         brink_system_advance(s, slot, entry.when.offset);
-        predict(run, slot, entry.when.offset);
+        brink_predict(run, slot, entry.when.offset);
         return BRINK_RUN_REACHED;
     }
     return meet(run, &entry);
@@ -366,8 +217,8 @@ int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier)
         return -1;
     }
     for (uint32_t i = 0; i < run->system.count; i++) {
-        predict(run, i, 0.0);
-        predict_crossing(run, i, 0.0);
+        brink_predict(run, i, 0.0);
+        brink_predict_crossing(run, i, 0.0);
     }
     run->energy_begin = brink_run_energy(run);
     run->kinetic_begin = brink_system_kinetic_energy(&run->system);

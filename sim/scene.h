@@ -5,8 +5,8 @@
  * A scene: what is to be simulated, read from YAML, checked, every default filled
  * in.
  *
- *   title: text                          default ""
- *   seed: integer >= 0                   default 1
+ *   title: one line of text              default ""; at most BRINK_TITLE_MOST
+ * bytes seed: integer >= 0                   default 1; at most BRINK_SEED_MOST
  *   dimensions: 2 | 3                    default 3
  *   box:                                 exactly one of
  *     number_density: N / V              a cube (square)
@@ -27,8 +27,12 @@
  * optional: frames every dt of simulated time; a checkpoint every so many seconds
  * (60)
  */
+#include "source.h"
 #include "system.h"
-#include <stdio.h>
+
+#define BRINK_TITLE_MOST 200
+#define BRINK_SEED_MOST                                                          \
+    UINT32_MAX // all that GSL's mt19937 takes; to it, 0 is 4357
 
 enum brink_lattice {
     BRINK_START_FCC,
@@ -61,7 +65,9 @@ typedef struct brink_scene {
     double target_value;
     double trajectory_every; // 0: no trajectory
     double checkpoint_every; // seconds on the wall
-    char *text;              // the file as read, NUL-terminated
+    brink_mark start_at; // where a bad start is complained of: `start`, or `box`
+    brink_mark temperature_at; // line 0: not given
+    char *text;                // the file as read, NUL-terminated
     size_t text_size;
 } brink_scene;
 

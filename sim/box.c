@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "box.h"
+#include "species.h"
+#include "value.h"
+#include <math.h>
+
+// Positions are kept to 2^-64 of the box: up to here that is 2^-40 of the
+// shortest distance there is a step at, finer than the contact distance is held
+// anyway.
+#define BOX_MOST 0x1p24
+
+// Space that equal cores fill at most: fcc (Kepler, Hales), and the hexagonal
+// lattice.
+#define DENSEST_3D 0.74048048969306104 // pi / (3 sqrt(2))
+#define DENSEST_2D 0.90689968211710892 // pi / (2 sqrt(3))
+
+static void read_periodic(brink_source *s, int dimensions, const brink_node *node)
+{
+    if (!brink_value_list(s, node, "periodic", dimensions,
+                          dimensions == 3 ? "[true, true, true]"
+                                          : "[true, true]"))
+        return;
+    for (const brink_node *item = node->first; item; item = item->next)
+        brink_value_true(s, item, "periodic",
+                         "boxes have no walls yet: leave the key out");
+}
+
+#define PI 3.14159265358979324
+
+// Volume that the hard cores of all particles fill.
+static double core_volume(const brink_scene *scene, int *all_equal)
+{
+    double sum = 0, first = 0;
+    *all_equal = 1;
+    for (int a = 0; a < scene->species_count; a++) {
+        const double d =
+            brink_species_core(&scene->potential[a * scene->species_count + a]);
+        sum += scene->species[a].count *
+               (scene->dimensions == 3 ? PI / 6 * d * d * d : PI / 4 * d * d);
+        first = a == 0 ? d : first;
+        *all_equal &= d == first;
+    }
+    return sum;
+}
+
+// Whether the particles and their potentials fit into the box.
+static void check_box(brink_source *s, const brink_scene *scene, brink_mark at)
+{
+    const int d = scene->dimensions,
+              pairs = scene->species_count * scene->species_count;
+    double range = 0, shortest = (double)INFINITY, volume = 1;
+    double least = (double)INFINITY, most = 0;
+    int all_equal = 0;
+    for (int p = 0; p < pairs; p++) {
+        const brink_potential *potential = &scene->potential[p];
+        range = fmax(range, potential->distance[0]);
+        shortest = fmin(shortest, potential->distance[potential->count - 1]);
+    }
+    for (int a = 0; a < d; a++) {
+        least = fmin(least, scene->length[a]);
+        most = fmax(most, scene->length[a]);
+        volume *= scene->length[a];
+    }
+    if (least < 2 * range)
+        brink_complain(
+            s, at,
+            "the box is %g wide, less than twice the %g that the potentials "
+            "reach\nmake it wider, with more particles or at a lower density",
+            least, range);
+    if (most > BOX_MOST * shortest)
+        brink_complain(
+            s, at,
+            "the box is %g wide, more than 2^24 times the shortest distance "
+            "of a step, %g\nmake it smaller, or the density higher",
+            most, shortest);
+    const double packing = core_volume(scene, &all_equal) / volume;
+    const double densest = !all_equal ? 1.0 : d == 3 ? DENSEST_3D : DENSEST_2D;
+    if (packing > densest)
+        brink_complain(
+            s, at,
+            "the hard cores fill %g of the box, and not more than %g can be "
+            "filled\nmake the box wider, or the particles fewer or smaller",
+            packing, densest);
+}
+
+static int read_size(brink_source *s, brink_scene *scene, const brink_node *node)
+{
+    int good =
+        brink_value_list(s, node, "size", scene->dimensions,
+                         scene->dimensions == 3 ? "[Lx, Ly, Lz]" : "[Lx, Ly]");
+    if (!good)
+        return 0;
+    double *length = scene->length;
+    for (const brink_node *item = node->first; item; item = item->next)
+        good &= brink_value_positive(s, item, "a length of the box", length++);
+    return good;
+}
+
+void brink_box_read(brink_source *s, brink_scene *scene, const brink_node *node,
+                    int have_species)
+{
+    brink_key keys[] = {{"number_density", 0, 0},
+                        {"packing_fraction", 0, 0},
+                        {"size", 0, 0},
+                        {"periodic", 0, 0}};
+    if (!brink_value_map(s, node, "box", BRINK_BOX_EXAMPLE))
+        return;
+    const int faults = brink_value_keys(s, node, "box", keys, 4);
+    if (keys[3].value)
+        read_periodic(s, scene->dimensions, keys[3].value);
+    const int chosen = faults ? -1 : brink_value_choose(s, node, "box", keys, 3);
+    if (chosen < 0)
+        return;
+    const brink_node *value = keys[chosen].value;
+    if (chosen == 2) {
+        if (read_size(s, scene, value) && have_species)
+            check_box(s, scene, value->at);
+        return;
+    }
+    double fill = 0;
+    int all_equal = 0;
+    if (!brink_value_positive(s, value, keys[chosen].name, &fill) ||
+        !have_species)
+        return;
+    const double matter =
+        chosen == 0 ? scene->count : core_volume(scene, &all_equal);
+    if (matter == 0) {
+        brink_complain(s, value->at,
+                       "no species has a hard core to fill space with\n"
+                       "give a number_density instead");
+        return;
+    }
+    const double length =
+        scene->dimensions == 3 ? cbrt(matter / fill) : sqrt(matter / fill);
+    for (int a = 0; a < scene->dimensions; a++)
+        scene->length[a] = length;
+    check_box(s, scene, value->at);
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#ifndef TESTS_PAIRS_H
+#define TESTS_PAIRS_H
+/**
+ * Families of pairs: what a kernel meets in a simulation, and what breaks
+ * kernels. Shared by the tests, the ulp tool and the bench.
+ */
+#include "random.h"
+#include <string.h>
+
+typedef struct pair_case {
+    double r[3], v[3], sigma;
+} pair_case;
+
+static inline void fill_normal(stream *s, double x[3], double scale)
+{
+    for (int i = 0; i < 3; i++)
+        x[i] = scale * stream_normal(s);
+}
+
+static inline double length_of(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+static inline void resize(double x[3], double length)
+{
+    double factor = length / length_of(x);
+    for (int i = 0; i < 3; i++)
+        x[i] *= factor;
+}
+
+/** Partners somewhere in a box of 20 diameters: most never meet. */
+static inline void family_dilute(stream *s, pair_case *p)
+{
+    for (int i = 0; i < 3; i++)
+        p->r[i] = stream_real(s, -10, 10);
+    fill_normal(s, p->v, 1);
+    p->sigma = 1;
+}
+
+/** Aimed at the sphere from up to 20 diameters away. */
+static inline void family_hits(stream *s, pair_case *p)
+{
+    double aim[3];
+    fill_normal(s, p->r, 1);
+    resize(p->r, stream_real(s, 1, 20));
+    fill_normal(s, aim, 1);
+    resize(aim, 0.99 * cbrt(stream_real(s, 0, 1)));
+    double speed = stream_real(s, 0.1, 3) / length_of(p->r);
+    for (int i = 0; i < 3; i++)
+        p->v[i] = speed * (aim[i] - p->r[i]);
+    p->sigma = 1;
+}
+
+/** Neighbours in a fluid: 1 to 1.6 diameters apart, any velocity. */
+static inline void family_neighbours(stream *s, pair_case *p)
+{
+    fill_normal(s, p->r, 1);
+    resize(p->r, stream_real(s, 1, 1.6));
+    fill_normal(s, p->v, 1);
+    p->sigma = 1;
+}
+
+/** Just after or before an event: on the surface to a few ulp. */
+static inline void family_contact(stream *s, pair_case *p)
+{
+    fill_normal(s, p->r, 1);
+    resize(p->r, 1 + stream_int(s, -4, 4) * 0x1p-52);
+    fill_normal(s, p->v, 1);
+    p->sigma = 1;
+}
+
+/** Inside, as captured pairs are. */
+static inline void family_captured(stream *s, pair_case *p)
+{
+    fill_normal(s, p->r, 1);
+    resize(p->r, cbrt(stream_real(s, 0, 1)));
+    fill_normal(s, p->v, 1);
+    p->sigma = 1;
+}
+
+/** Passing the sphere within a few ulp of its rim. */
+static inline void family_grazing(stream *s, pair_case *p)
+{
+    double e[3], f[3];
+    fill_normal(s, p->v, 1);
+    fill_normal(s, f, 1);
+    e[0] = p->v[1] * f[2] - p->v[2] * f[1];
+    e[1] = p->v[2] * f[0] - p->v[0] * f[2];
+    e[2] = p->v[0] * f[1] - p->v[1] * f[0];
+    resize(e, 1); // perpendicular to v, up to rounding
+    double back = stream_real(s, -0.5, 4);
+    for (int i = 0; i < 3; i++)
+        p->r[i] = e[i] - back * p->v[i];
+    p->sigma = stream_near(s, 1, 2);
+}
+
+/** Grazing inside the rim at r = sigma (1 + a few ulp), hardly moving outward or
+ * in. */
+static inline void family_rim(stream *s, pair_case *p)
+{
+    family_grazing(s, p);
+    double b = p->r[0] * p->v[0] + p->r[1] * p->v[1] + p->r[2] * p->v[2];
+    double vv = p->v[0] * p->v[0] + p->v[1] * p->v[1] + p->v[2] * p->v[2];
+    for (int i = 0; i < 3; i++) // moved to the closest approach
+        p->r[i] = stream_near(s, p->r[i] - b / vv * p->v[i], 2);
+}
+
+/** Small integers: exact contacts, tangents, r = 0, v = 0 and sigma = 0 among
+ * them. */
+static inline void family_integers(stream *s, pair_case *p)
+{
+    for (int i = 0; i < 3; i++) {
+        p->r[i] = stream_int(s, -5, 5);
+        p->v[i] = stream_int(s, -2, 2);
+    }
+    p->sigma = stream_int(s, 0, 7);
+}
+
+/** Exact tangents in integers: r = back v + a vector perpendicular to v of whole
+ * length. */
+static inline void family_tangent(stream *s, pair_case *p)
+{
+    double m = stream_int(s, 1, 4096), n = stream_int(s, 1, 4096);
+    double k = stream_int(s, 1, 4096), back = stream_int(s, -4096, 4096);
+    const double e[3] = {m * m - n * n, 2 * m * n, 0}, v[3] = {-e[1], e[0], k};
+    for (int i = 0; i < 3; i++) {
+        p->v[i] = v[i];
+        p->r[i] = e[i] - back * v[i];
+    }
+    p->sigma = m * m + n * n; // |e|
+    if (stream_int(s, 0, 2) == 0)
+        p->sigma = stream_near(s, p->sigma, 1);
+}
+
+/** On a line: the time is (r - sigma) / v, which can be a tie between two
+ * doubles. */
+static inline void family_line(stream *s, pair_case *p)
+{
+    memset(p, 0, sizeof *p);
+    int axis = stream_int(s, 0, 2);
+    p->sigma = stream_real(s, 0.5, 2);
+    p->r[axis] = stream_real(s, 2, 8) * stream_sign(s);
+    p->v[axis] = (p->r[axis] > 0 ? -1 : 1) * (double)stream_int(s, 1, 3);
+}
+
+/** Scaled by 2^+-600 in any mixture. */
+static inline void family_scaled(stream *s, pair_case *p)
+{
+    switch (stream_int(s, 0, 4)) {
+    case 0:
+        family_hits(s, p);
+        break;
+    case 1:
+        family_captured(s, p);
+        break;
+    case 2:
+        family_grazing(s, p);
+        break;
+    case 3:
+        family_integers(s, p);
+        break;
+    default:
+        family_contact(s, p);
+    }
+    int lengths = stream_int(s, -600, 600), times = stream_int(s, -600, 600);
+    if (stream_int(s, 0, 3) == 0) { // down to and beyond the edges of the range
+        lengths = stream_int(s, -1080, 1020);
+        times = stream_int(s, -1080, 1000);
+    }
+    for (int i = 0; i < 3; i++) {
+        p->r[i] = ldexp(p->r[i], lengths);
+        p->v[i] = ldexp(p->v[i], times);
+        if (!isfinite(p->v[i]))
+            p->v[i] = 0;
+    }
+    p->sigma = ldexp(p->sigma, lengths);
+}
+
+/** Every number of a magnitude of its own, zeros and subnormals among them. */
+static inline void family_wild(stream *s, pair_case *p)
+{
+    double *x = p->r;
+    for (int i = 0; i < 7; i++) {
+        x = i < 3 ? &p->r[i] : i < 6 ? &p->v[i - 3] : &p->sigma;
+        *x = stream_int(s, 0, 5) == 0 ? 0 * stream_sign(s)
+                                      : stream_scaled(s, -1080, 1024);
+    }
+    p->sigma = fabs(p->sigma);
+}
+
+typedef struct pair_family {
+    const char *name;
+    void (*make)(stream *, pair_case *);
+} pair_family;
+
+static const pair_family pair_families[] = {
+    {"dilute", family_dilute},
+    {"hits", family_hits},
+    {"neighbours", family_neighbours},
+    {"contact", family_contact},
+    {"captured", family_captured},
+    {"grazing", family_grazing},
+    {"rim", family_rim},
+    {"integers", family_integers},
+    {"tangent", family_tangent},
+    {"line", family_line},
+    {"scaled", family_scaled},
+    {"wild", family_wild},
+};
+enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
+#endif
