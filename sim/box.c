@@ -25,22 +25,28 @@ static void read_periodic(brink_source *s, int dimensions, const brink_node *nod
                          "boxes have no walls yet: leave the key out");
 }
 
-#define PI 3.14159265358979324
-
 // Volume that the hard cores of all particles fill.
-static double core_volume(const brink_scene *scene, int *all_equal)
+static double core_volume(const brink_scene *scene)
 {
-    double sum = 0, first = 0;
-    *all_equal = 1;
-    for (int a = 0; a < scene->species_count; a++) {
-        const double d =
-            brink_species_core(&scene->potential[a * scene->species_count + a]);
+    double sum = 0;
+    for (int a = 0; a < scene->species_count; a++)
         sum += scene->species[a].count *
-               (scene->dimensions == 3 ? PI / 6 * d * d * d : PI / 4 * d * d);
-        first = a == 0 ? d : first;
-        *all_equal &= d == first;
-    }
+               brink_species_core_volume(
+                   &scene->potential[a * (scene->species_count + 1)],
+                   scene->dimensions);
     return sum;
+}
+
+// The part of space that the cores can fill at most.  What unequal ones can is not
+// known in general, but that it is not all.
+static double densest(const brink_scene *scene)
+{
+    const int stride = scene->species_count + 1;
+    for (int a = 1; a < scene->species_count; a++)
+        if (brink_species_core(&scene->potential[a * stride]) !=
+            brink_species_core(&scene->potential[0]))
+            return 1.0;
+    return scene->dimensions == 3 ? DENSEST_3D : DENSEST_2D;
 }
 
 // Whether the particles and their potentials fit into the box.
@@ -50,7 +56,6 @@ static void check_box(brink_source *s, const brink_scene *scene, brink_mark at)
               pairs = scene->species_count * scene->species_count;
     double range = 0, shortest = (double)INFINITY, volume = 1;
     double least = (double)INFINITY, most = 0;
-    int all_equal = 0;
     for (int p = 0; p < pairs; p++) {
         const brink_potential *potential = &scene->potential[p];
         range = fmax(range, potential->distance[0]);
@@ -73,14 +78,14 @@ static void check_box(brink_source *s, const brink_scene *scene, brink_mark at)
             "the box is %g wide, more than 2^24 times the shortest distance "
             "of a step, %g\nmake it smaller, or the density higher",
             most, shortest);
-    const double packing = core_volume(scene, &all_equal) / volume;
-    const double densest = !all_equal ? 1.0 : d == 3 ? DENSEST_3D : DENSEST_2D;
-    if (packing > densest)
+    const double packing = core_volume(scene) / volume;
+    const double most_packing = densest(scene);
+    if (packing > most_packing)
         brink_complain(
             s, at,
             "the hard cores fill %g of the box, and not more than %g can be "
             "filled\nmake the box wider, or the particles fewer or smaller",
-            packing, densest);
+            packing, most_packing);
 }
 
 static int read_size(brink_source *s, brink_scene *scene, const brink_node *node)
@@ -118,12 +123,10 @@ void brink_box_read(brink_source *s, brink_scene *scene, const brink_node *node,
         return;
     }
     double fill = 0;
-    int all_equal = 0;
     if (!brink_value_positive(s, value, keys[chosen].name, &fill) ||
         !have_species)
         return;
-    const double matter =
-        chosen == 0 ? scene->count : core_volume(scene, &all_equal);
+    const double matter = chosen == 0 ? scene->count : core_volume(scene);
     if (matter == 0) {
         brink_complain(s, value->at,
                        "no species has a hard core to fill space with\n"

@@ -28,4 +28,12 @@ static inline double brink_species_core(const brink_potential *p)
 {
     return isinf(p->energy[p->count - 1]) ? p->distance[p->count - 1] : 0.0;
 }
+
+/** Volume of the core, area on a plane. */
+static inline double brink_species_core_volume(const brink_potential *p,
+                                               int dimensions)
+{
+    const double pi = 3.14159265358979324, d = brink_species_core(p);
+    return dimensions == 3 ? pi / 6 * d * d * d : pi / 4 * d * d;
+}
 #endif

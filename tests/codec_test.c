@@ -126,6 +126,7 @@ START_TEST(a_body_longer_or_shorter_than_what_is_read_is_a_fault)
     brink_codec_seal(&c);
     ck_assert_ptr_nonnull(strstr(c.fault, "goes on"));
     uint64_t more[9];
+    rewind(file);
     brink_codec_read_from(&c, file);
     brink_code_bytes(&c, more, sizeof more);
     ck_assert_ptr_nonnull(strstr(c.fault, "too soon"));

@@ -12,14 +12,13 @@ static void dot(mpfr_t out, mpfr_t a[3], mpfr_t b[3])
     mpfr_fma(out, a[2], b[2], out, N);
 }
 
-/** r = x_i - x_j, `shift` boxes from the nearest image; u = v_i - v_j. */
-static void relative(reference *w, uint32_t i, uint32_t j, const int shift[3])
+/** r = the nearest image of x_i - x_j, u = v_i - v_j. */
+static void relative(reference *w, uint32_t i, uint32_t j)
 {
     for (int k = 0; k < 3; k++) {
         mpfr_sub(w->r[k], w->x[i][k], w->x[j][k], N);
         mpfr_div_d(w->t, w->r[k], w->system->length[k], N);
         mpfr_rint(w->t, w->t, N);
-        mpfr_sub_si(w->t, w->t, shift[k], N);
         mpfr_mul_d(w->t, w->t, w->system->length[k], N);
         mpfr_sub(w->r[k], w->r[k], w->t, N);
         mpfr_sub(w->u[k], w->v[i][k], w->v[j][k], N);
@@ -27,11 +26,11 @@ static void relative(reference *w, uint32_t i, uint32_t j, const int shift[3])
 }
 
 /** f(t) = (r + u t)^2 - sigma^2 = a t^2 + 2 b t + c, and its discriminant d. */
-static void overlap(reference *w, double sigma)
+static void overlap(reference *w, mpfr_t r[3], double sigma)
 {
     dot(w->a, w->u, w->u);
-    dot(w->b, w->r, w->u);
-    dot(w->c, w->r, w->r);
+    dot(w->b, w->u, r);
+    dot(w->c, r, r);
     mpfr_set_d(w->t, sigma, N);
     mpfr_sqr(w->t, w->t, N);
     mpfr_sub(w->c, w->c, w->t, N);
@@ -39,11 +38,12 @@ static void overlap(reference *w, double sigma)
 }
 
 /** The smallest t >= 0 with f <= 0 and f' < 0.  1 and w->t, or 0: never. */
-static int goes_in(reference *w, double sigma)
+static int goes_in(reference *w, mpfr_t r[3], double sigma)
 {
-    overlap(w, sigma);
+    dot(w->b, w->u, r);
     if (mpfr_sgn(w->b) >= 0)
         return 0;
+    overlap(w, r, sigma);
     mpfr_set_zero(w->t, 1);
     if (mpfr_sgn(w->c) <= 0)
         return 1;
@@ -58,9 +58,9 @@ static int goes_in(reference *w, double sigma)
 
 /** The mirror: the smallest t >= 0 from which on f >= 0 and f' > 0; where the
  * path never enters the sphere that is the closest approach, as if d were 0. */
-static int goes_out(reference *w, double sigma)
+static int goes_out(reference *w, mpfr_t r[3], double sigma)
 {
-    overlap(w, sigma);
+    overlap(w, r, sigma);
     if (mpfr_zero_p(w->a))
         return 0;
     if (mpfr_sgn(w->d) < 0)
@@ -73,8 +73,7 @@ static int goes_out(reference *w, double sigma)
     return 1;
 }
 
-/** At one instant inward comes first; then i, then j, as pairs are gone through.
- */
+/** At one instant inward comes first; then i, then j, as pairs are looked at. */
 static void keep_if_earlier(reference *w, uint32_t i, uint32_t j,
                             enum brink_direction way)
 {
@@ -85,28 +84,31 @@ static void keep_if_earlier(reference *w, uint32_t i, uint32_t j,
     }
 }
 
-/** Anything may come in, from all 27 images; a captured pair is within half a
- * box, so it is the nearest image that goes out. */
+/** Anything may come in, from all 27 images.  A captured pair is within half a box:
+ *  it is the nearest image that goes out. */
 static void look_at(reference *w, uint32_t i, uint32_t j)
 {
     const brink_potential *p = brink_system_potential(w->system, i, j);
-    int level = w->level[i * w->system->count + j];
-    for (int image = 0; image < 27; image++) {
-        const int shift[3] = {image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1};
-        int nearest = !shift[0] && !shift[1] && !shift[2];
-        if (shift[2] && w->system->dimensions == 2)
-            continue;
-        relative(w, i, j, shift);
-        if (level < p->count && goes_in(w, p->distance[level]))
-            keep_if_earlier(w, i, j, BRINK_INWARD);
-        if (level > 0 && nearest && goes_out(w, p->distance[level - 1]))
-            keep_if_earlier(w, i, j, BRINK_OUTWARD);
-    }
+    const int level = w->level[i * w->system->count + j];
+    const int depth = w->system->dimensions == 3;
+    relative(w, i, j);
+    if (level > 0 && goes_out(w, w->r, p->distance[level - 1]))
+        keep_if_earlier(w, i, j, BRINK_OUTWARD);
+    for (int z = -depth; z <= depth; z++)
+        for (int y = -1; y <= 1; y++)
+            for (int x = -1; x <= 1; x++) {
+                const int shift[3] = {x, y, z};
+                for (int k = 0; k < 3; k++)
+                    mpfr_add_d(w->image[k], w->r[k],
+                               shift[k] * w->system->length[k], N);
+                if (level < p->count && goes_in(w, w->image, p->distance[level]))
+                    keep_if_earlier(w, i, j, BRINK_INWARD);
+            }
 }
 
 /** The time in which no pair travels further than a quarter of the box along any
- *  axis: whatever meets before does so in an image next to the nearest.  +inf
- * where all are at rest. */
+ *  axis: what meets before does so in an image next to the nearest.  +inf where
+ *  all are at rest. */
 static double horizon(const reference *w)
 {
     double h = INFINITY;
@@ -139,7 +141,7 @@ static enum brink_event_kind execute(reference *w)
     double beyond = energy_at(p, *level - way);
     enum brink_event_kind kind = isinf(beyond) ? BRINK_CORE : BRINK_BOUNCE;
 
-    relative(w, i, j, (const int[3]){0});
+    relative(w, i, j);
     dot(w->a, w->r, w->r);
     dot(w->b, w->r, w->u);
     mpfr_neg(w->c, w->b, N);
@@ -205,7 +207,7 @@ void reference_create(reference *w, const brink_system *system, mpfr_prec_t bits
                 (mpfr_ptr)0);
     mpfr_set_zero(w->time, 1);
     for (int k = 0; k < 3; k++) {
-        mpfr_inits2(bits, w->r[k], w->u[k], (mpfr_ptr)0);
+        mpfr_inits2(bits, w->r[k], w->image[k], w->u[k], (mpfr_ptr)0);
         for (uint32_t i = 0; i < n; i++) {
             mpfr_inits2(bits, w->x[i][k], w->v[i][k], (mpfr_ptr)0);
             mpfr_set_uj_2exp(w->x[i][k], system->particle[i].x[k], -64, N);
@@ -217,7 +219,7 @@ void reference_create(reference *w, const brink_system *system, mpfr_prec_t bits
         for (uint32_t j = i + 1; j < n; j++) {
             const brink_potential *p = brink_system_potential(system, i, j);
             int *level = &w->level[i * n + j];
-            relative(w, i, j, (const int[3]){0});
+            relative(w, i, j);
             dot(w->c, w->r, w->r);
             mpfr_sqrt(w->c, w->c, N);
             while (*level < p->count && mpfr_cmp_d(w->c, p->distance[*level]) < 0)
@@ -230,7 +232,7 @@ void reference_destroy(reference *w)
     for (int k = 0; k < 3; k++) {
         for (uint32_t i = 0; i < w->system->count; i++)
             mpfr_clears(w->x[i][k], w->v[i][k], (mpfr_ptr)0);
-        mpfr_clears(w->r[k], w->u[k], (mpfr_ptr)0);
+        mpfr_clears(w->r[k], w->image[k], w->u[k], (mpfr_ptr)0);
     }
     mpfr_clears(w->time, w->next.dt, w->t, w->a, w->b, w->c, w->d, (mpfr_ptr)0);
     free(w->x);

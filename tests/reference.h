@@ -20,7 +20,7 @@ typedef struct reference {
         uint32_t i, j; // i < j; i == j: none
         enum brink_direction way;
     } next;
-    mpfr_t r[3], u[3], t, a, b, c, d; // scratch
+    mpfr_t r[3], image[3], u[3], t, a, b, c, d; // scratch
 } reference;
 
 typedef struct reference_event {

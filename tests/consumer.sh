@@ -1,0 +1,43 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# usage: consumer.sh SOURCE FOLDER CC ON|OFF
+# Installs the library alone, shared or static, to a fresh prefix in FOLDER and builds
+# tests/consumer against it, by find_package and by pkg-config; then every installed
+# header by itself.
+set -eu
+source=$1 folder=$2 cc=$3 shared=$4
+rm -rf "$folder"
+mkdir -p "$folder"
+prefix=$folder/prefix
+
+cmake -G Ninja -S "$source" -B "$folder/library" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_C_COMPILER="$cc" -DCMAKE_INSTALL_PREFIX="$prefix" \
+    -DBUILD_SHARED_LIBS="$shared" -DBRINK_SIMULATOR=OFF -DBRINK_TESTS=OFF >/dev/null
+cmake --build "$folder/library" >/dev/null
+cmake --install "$folder/library" >/dev/null
+
+echo "by find_package:"
+cmake -G Ninja -S "$source/tests/consumer" -B "$folder/consumer" \
+    -DCMAKE_C_COMPILER="$cc" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
+cmake --build "$folder/consumer" >/dev/null
+"$folder/consumer/consumer"
+
+echo "by pkg-config:"
+pc=$(find "$prefix" -name brink.pc)
+library=$(dirname "$(dirname "$pc")")
+PKG_CONFIG_PATH=$(dirname "$pc")
+export PKG_CONFIG_PATH
+[ "$shared" = ON ] && static='' || static=--static
+# shellcheck disable=SC2046,SC2086 # lists of flags, and a flag or nothing
+"$cc" -std=c17 "$source/tests/consumer/consumer.c" -o "$folder/by-pkg-config" \
+    $(pkg-config $static --cflags --libs brink)
+LD_LIBRARY_PATH=$library "$folder/by-pkg-config"
+
+echo "every header by itself, as C and as C++:"
+for header in "$prefix"/include/brink/*.h; do
+    # shellcheck disable=SC2046
+    for compiler in "$cc -std=c17 -x c" "c++ -x c++"; do
+        echo "#include <brink/$(basename "$header")>" |
+            $compiler -Wall -Werror -fsyntax-only $(pkg-config --cflags brink) -
+    done
+done
