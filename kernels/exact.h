@@ -14,12 +14,10 @@
 #include <string.h>
 
 #ifdef __FAST_MATH__
-#error                                                                           \
-    "brink's results rest on IEEE arithmetic: do not compile it with -ffast-math"
+#error "brink rests on IEEE arithmetic: do not compile it with -ffast-math"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error                                                                           \
-    "brink needs doubles to be rounded to double (on old x86: -msse2 -mfpmath=sse)"
+#error "brink needs doubles to be rounded to double: -mfpmath=sse"
 #endif
 
 /** Always inlined, so that a body compiled for hardware with fma() has it
