@@ -3,6 +3,7 @@
 #include "suite.h"
 #include "systems.h"
 #include <dirent.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>

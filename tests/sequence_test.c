@@ -9,13 +9,13 @@
  * signs, and the first event at which one of them departs from the undeflected one is
  * the floor.  The simulator must not depart before it.
  *
- * Why that is fair.  An event costs the simulator less than 64 roundings of 2^-53 of the
- * quantities at hand: separation and relative velocity 12, the time 8, its sum with the
- * offset 1, two positions 12, two velocities 4 each in 3 components.  As deviations grow
- * geometrically, by a bit every 3 to 15 events here, what is lost at later events adds
- * no more than the early ones' loss 16 times over.  So all its roundings together are
- * less than one deflection of 2^(6 + 4 - 53) at the start; two bits more, as four signs
- * are not all directions.
+ * Why that is fair.  An event costs the simulator less than 64 roundings of 2^-53 of
+ * the quantities at hand: separation and relative velocity 12, the time 8, its sum with
+ * the offset 1, two positions 12, two velocities 4 each in 3 components.  Deviations
+ * grow geometrically, by a bit at least every 6 events here, so what is lost at later
+ * events adds less than 1 / (1 - 2^(-1/6)) < 10 times the loss of one.  All roundings
+ * together are less than one deflection of 2^(6 + 4 - 53) at the start; and two bits
+ * more, as four choices of signs are not all directions.
  *
  * Printed beside it: where a deflection of one rounding, 2^-53, departs.  There one
  * expects the simulator to depart, and there it does.

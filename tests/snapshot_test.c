@@ -9,7 +9,7 @@
 static const char *const scenes[] = {hard_spheres, square_well, square_shoulder,
                                      three_steps,  mixture,     discs_well,
                                      small_box};
-enum { SCENES = sizeof scenes / sizeof *scenes };
+enum { ALL = sizeof scenes / sizeof *scenes };
 
 static brink_plan plan = {.events = 12345,
                           .until = 2.5,
@@ -44,7 +44,7 @@ static void read_run(FILE *file, brink_run *run)
 
 START_TEST(saved_and_loaded_half_way_a_run_ends_the_same)
 {
-    for (int k = 0; k < SCENES; k++) {
+    for (int k = 0; k < ALL; k++) {
         brink_run whole, half, loaded;
         make_run(&whole, scenes[k]);
         make_run(&half, scenes[k]);

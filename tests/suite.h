@@ -7,7 +7,8 @@
  * } Each test runs in a process of its own and is given `seconds`.
  */
 #include <check.h>
-#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
 
 #define RUN_SUITE(name, seconds, ...)                                            \
     run_suite(name, seconds, (const TTest *const[]){__VA_ARGS__},                \
@@ -28,5 +29,13 @@ static inline int run_suite(const char *name, double seconds,
     const int failed = srunner_ntests_failed(runner);
     srunner_free(runner);
     return failed != 0;
+}
+
+/** How much of a long test's work is to be done: n, or that part of it which the
+ * environment variable BRINK_TEST_SHARE says; see tests/CMakeLists.txt. */
+static inline uint64_t suite_share(uint64_t n)
+{
+    const char *share = getenv("BRINK_TEST_SHARE");
+    return share ? (uint64_t)((double)n * strtod(share, NULL)) : n;
 }
 #endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "energy_plot.h"
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+// All in decades.  A line of text is a little less than one high in the plot.
+#define TOP        1.0   // errors can exceed 1
+#define BOTTOM     -16.5 // half of what a double can tell from 1 is 10^-15.95
+#define LANE       0.4   // between the lanes of the band for zeros
+#define TEXT       1.05  // between labels
+#define BELOW_TEXT 0.7   // from a lane with a label in the plot to the next
+
+typedef struct curve {
+    const brink_trial *trial;
+    int stopped;
+    double lane; // where its zeros stand
+    double end;  // where it ends
+    double label;
+} curve;
+
+static int is_stopped(const brink_trial *t)
+{
+    return t->outcome != BRINK_OUTCOME_DONE &&
+           t->outcome != BRINK_OUTCOME_AT_REST;
+}
+
+// Those that were stopped while their error was 0 have a label beside the band's
+// lane, and come last.
+static int rank(const curve *c)
+{
+    return !c->stopped ? 0 : c->trial->energy_error > 0 ? 1 : 2;
+}
+
+static double assign_lanes(curve *curves)
+{
+    double lane = BOTTOM - 0.5;
+    for (int wanted = 0; wanted < 3; wanted++)
+        for (int k = 0; k < BRINK_METHODS; k++)
+            if (rank(&curves[k]) == wanted) {
+                lane -= wanted == 2 ? BELOW_TEXT : LANE;
+                curves[k].lane = lane;
+            }
+    return lane - BELOW_TEXT;
+}
+
+static int by_end(const void *a, const void *b)
+{
+    const curve *const *x = a, *const *y = b;
+    return ((*x)->end > (*y)->end) - ((*x)->end < (*y)->end);
+}
+
+// Labels of one column, from the lowest up: none nearer to the next than a line.
+static void spread_labels(curve *curves, int stopped)
+{
+    curve *column[BRINK_METHODS];
+    int count = 0;
+    for (int k = 0; k < BRINK_METHODS; k++)
+        if (curves[k].stopped == stopped)
+            column[count++] = &curves[k];
+    qsort(column, (size_t)count, sizeof *column, by_end);
+    for (int k = 0; k < count; k++) {
+        const double least = k > 0 ? column[k - 1]->label + TEXT : -HUGE_VAL;
+        column[k]->label = fmax(column[k]->end, least);
+    }
+    // Those pushed out at the top press the others down again.
+    for (int k = count - 1; k >= 0; k--) {
+        const double most =
+            k < count - 1 ? column[k + 1]->label - TEXT : TOP - 0.5;
+        column[k]->label = fmin(column[k]->label, most);
+    }
+}
+
+static void write_frame(FILE *out, uint64_t events, double bottom)
+{
+    fprintf(out, "set logscale xy\nset xrange [1:%" PRIu64 "]\n", events);
+    fprintf(out, "set yrange [1e%.2f:1e%.2f]\n", bottom, TOP);
+    fprintf(out, "set format x '10^{%%L}'\nset xlabel 'events'\n");
+    fprintf(out,
+            "set ylabel 'relative energy error'\nset rmargin 23\nunset key\n");
+    fprintf(out, "set ytics ('1' 1");
+    for (int decade = -4; decade >= -16; decade -= 4)
+        fprintf(out, ", '10^{%d}' 1e%d", decade, decade);
+    fprintf(out, ", 'exactly 0' 1e%.2f 1)\n", (BOTTOM + bottom) / 2);
+    fprintf(
+        out,
+        "set object 1 rectangle from graph 0, graph 0 to graph 1, first 1e%.2f "
+        "behind fillcolor rgb '#f1f4f8' fillstyle solid noborder\n",
+        BOTTOM);
+}
+
+static void write_label(FILE *out, const curve *c)
+{
+    const brink_trial *t = c->trial;
+    const int method = (int)t->method, tag = 2 * method + 1;
+    const char *name = brink_method_rule(t->method)->name;
+    char outcome[160];
+    if (!c->stopped) {
+        fprintf(
+            out,
+            "set label %d '%s' at graph 1, first 1e%.2f offset 1,0 tc lt %d\n",
+            tag, name, c->label, method + 1);
+        return;
+    }
+    brink_findings_outcome(t, outcome, sizeof outcome);
+    fprintf(out,
+            "set label %d '' at %" PRIu64
+            ", 1e%.2f point lt %d pt 2 ps 1.3 front\n",
+            tag + 1, t->events, c->end, method + 1);
+    fprintf(out,
+            "set label %d '%s: %s' at %" PRIu64
+            ", 1e%.2f offset 1.5,0 tc lt %d\n",
+            tag, name, outcome, t->events, c->label, method + 1);
+}
+
+static void write_curve(FILE *out, const brink_case *c, const curve *of)
+{
+    char file[200];
+    const enum brink_method method = of->trial->method;
+    brink_findings_file(c, method, file, sizeof file);
+    fprintf(out,
+            "'%s' using 1:($3 > 0 ? $3 : NaN) with linespoints lt %d ps 0.35, "
+            "'' using 1:($3 > 0 ? NaN : 1e%.2f) with points lt %d pt 7 ps 0.3",
+            file, (int)method + 1, of->lane, (int)method + 1);
+}
+
+char *brink_energy_plot(const brink_case *c)
+{
+    curve curves[BRINK_METHODS];
+    char *script = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&script, &size);
+    if (out == NULL)
+        return NULL;
+    for (int k = 0; k < BRINK_METHODS; k++)
+        curves[k] =
+            (curve){.trial = &c->trial[k], .stopped = is_stopped(&c->trial[k])};
+    const double bottom = assign_lanes(curves);
+    for (int k = 0; k < BRINK_METHODS; k++) {
+        const double error = curves[k].trial->energy_error;
+        curves[k].end = error > 0 ? log10(error) : curves[k].lane;
+    }
+    spread_labels(curves, 0);
+    spread_labels(curves, 1);
+    write_frame(out, c->events, bottom);
+    for (int k = 0; k < BRINK_METHODS; k++)
+        write_label(out, &curves[k]);
+    fputs("plot ", out);
+    for (int k = 0; k < BRINK_METHODS; k++) {
+        write_curve(out, c, &curves[k]);
+        fputs(k + 1 < BRINK_METHODS ? ", \\\n    " : "\n", out);
+    }
+    return fclose(out) == 0 ? script : NULL;
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#ifndef BRINK_FINDINGS_H
+#define BRINK_FINDINGS_H
+/**
+ * What the study found, put into words, tables and figures.  Every sentence
+ * follows from the figures, so that none can be false.
+ */
+#include "report.h"
+#include "scene.h"
+#include "trial.h"
+
+typedef struct brink_case { // a scene of the study, and what became of it
+    const char *path;
+    char name[64]; // for files: letters, digits, '-'
+    brink_scene scene;
+    uint64_t events; // asked for
+    brink_trial trial[BRINK_METHODS];
+} brink_case;
+
+/** One scene: figure, outcomes, inconsistencies, events. */
+void brink_findings_tell(brink_report *r, const brink_case *c);
+
+/** The two sentences that say what one sees in it. */
+void brink_findings_sentences(const brink_case *c, char *text, size_t size);
+
+/** What became of a trial, as a verb phrase: "stood still after 1 006 events". */
+void brink_findings_outcome(const brink_trial *t, char *text, size_t size);
+
+/** The file with a trial's samples, beside the page. */
+void brink_findings_file(const brink_case *c, enum brink_method method,
+                         char *name, size_t size);
+#endif
