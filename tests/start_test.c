@@ -102,22 +102,23 @@ END_TEST
 
 START_TEST(every_lattice_has_room_for_every_number)
 {
-    static const char *const boxes[] = {
-        "box: {number_density: 0.1}\nstart: {lattice: fcc}\n",
-        "box: {number_density: 0.1}\nstart: {lattice: sc}\n",
-        "box: {size: [40, 9, 7]}\nstart: {lattice: fcc}\n",
-        "box: {size: [40, 9, 7]}\nstart: {lattice: sc}\n",
-        "dimensions: 2\nbox: {number_density: 0.2}\nstart: {lattice: square}\n",
-        "dimensions: 2\nbox: {number_density: 0.2}\nstart: {lattice: "
-        "hexagonal}\n",
-        "dimensions: 2\nbox: {size: [90, 9]}\nstart: {lattice: square}\n",
-        "dimensions: 2\nbox: {size: [9, 90]}\nstart: {lattice: hexagonal}\n"};
-    for (size_t k = 0; k < sizeof boxes / sizeof *boxes; k++)
+    static const struct {
+        const char *box, *lattice;
+    } starts[] = {{"box: {number_density: 0.1}", "fcc"},
+                  {"box: {number_density: 0.1}", "sc"},
+                  {"box: {size: [40, 9, 7]}", "fcc"},
+                  {"box: {size: [40, 9, 7]}", "sc"},
+                  {"dimensions: 2\nbox: {number_density: 0.2}", "square"},
+                  {"dimensions: 2\nbox: {number_density: 0.2}", "hexagonal"},
+                  {"dimensions: 2\nbox: {size: [90, 9]}", "square"},
+                  {"dimensions: 2\nbox: {size: [9, 90]}", "hexagonal"}};
+    for (size_t k = 0; k < sizeof starts / sizeof *starts; k++)
         for (int count = 40; count <= 160; count += 7) {
             char text[256];
             snprintf(text, sizeof text,
-                     "%sspecies: {A: {count: %d, diameter: 1}}\n", boxes[k],
-                     count);
+                     "%s\nstart: {lattice: %s}\n"
+                     "species: {A: {count: %d, diameter: 1}}\n",
+                     starts[k].box, starts[k].lattice, count);
             outcome o = good_start(text);
             assert_no_core_in_another(&o.system);
             forget(&o);
@@ -144,18 +145,19 @@ START_TEST(species_are_numbered_in_turn_and_shuffled_over_the_sites)
 }
 END_TEST
 
+#define RANDOM "start: {random: true}\n"
+#define FEW    "species: {A: {count: 100, diameter: 1}}\n"
+#define MANY   "species: {A: {count: 300, diameter: 1}}\n"
+#define TWO_SIZES                                                                \
+    "species: {A: {count: 300, diameter: 1}, B: {count: 30, diameter: 2.5}}\n"
+
 START_TEST(random_insertion_leaves_no_core_in_another)
 {
     static const char *const texts[] = {
-        "box: {packing_fraction: 0.3}\nspecies: {A: {count: 400, diameter: 1}}\n"
-        "start: {random: true}\n",
-        "dimensions: 2\nbox: {packing_fraction: 0.45}\n"
-        "species: {A: {count: 300, diameter: 1}}\nstart: {random: true}\n",
-        "box: {size: [60, 4.1, 2.05]}\nspecies: {A: {count: 100, diameter: 1}}\n"
-        "start: {random: true}\n", // two cells across, and four
-        "box: {packing_fraction: 0.3}\nstart: {random: true}\n"
-        "species: {A: {count: 300, diameter: 1}, B: {count: 30, diameter: "
-        "2.5}}\n"};
+        RANDOM "box: {packing_fraction: 0.3}\n" MANY,
+        RANDOM "dimensions: 2\nbox: {packing_fraction: 0.45}\n" MANY,
+        RANDOM "box: {size: [60, 4.1, 2.05]}\n" FEW, // two cells across, and four
+        RANDOM "box: {packing_fraction: 0.3}\n" TWO_SIZES};
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
         outcome o = good_start(texts[k]);
         assert_no_core_in_another(&o.system);
