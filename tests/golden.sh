@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# usage: golden_test.sh SOURCE FOLDER
+# usage: golden.sh SOURCE FOLDER
 # The same scene gives the same bits whoever compiles it and how: golden.c, built in
 # FOLDER by gcc and clang, optimised and not, prints what golden.txt says.
 set -eu
