@@ -137,6 +137,16 @@ START_TEST(a_packing_fraction_is_that_of_the_cores)
 }
 END_TEST
 
+START_TEST(unequal_cores_may_fill_more_than_equal_ones)
+{
+    outcome o =
+        parse("box: {packing_fraction: 0.76}\nspecies: {A: {count: 64, diameter: "
+              "1}, B: {count: 640, diameter: 0.1}}\n");
+    ck_assert_msg(o.complaints == 0, "%s", o.said);
+    forget(&o);
+}
+END_TEST
+
 START_TEST(unlike_pairs_are_mixed_unless_they_are_given)
 {
     brink_scene s = read_scene("mixture.yaml");
@@ -241,6 +251,7 @@ static const struct fault {
     {BOX SPECIES "temperature: 1e61\n", 3, 14, "nearer to 1"},
     {BOX SPECIES "temperature: 0\n", 3, 14, "must be more than 0"},
     {BOX SPECIES "temperature: -1\n", 3, 14, "must be more than 0"},
+    {BOX SPECIES "temperature: '1'\n", 3, 14, "take off the quotes"},
     {BOX SPECIES "temperature: 1,5\n", 3, 14, "the decimal sign is a point"},
     {BOX SPECIES "temperature: 1.5 kT\n", 3, 14, "without a unit"},
     {BOX SPECIES "temperature: 0x1p3\n", 3, 14, "in decimal"},
@@ -614,6 +625,7 @@ int main(void)
     tcase_add_test(good, what_is_left_out_gets_its_default);
     tcase_add_test(good, every_key_arrives_where_it_belongs);
     tcase_add_test(good, a_packing_fraction_is_that_of_the_cores);
+    tcase_add_test(good, unequal_cores_may_fill_more_than_equal_ones);
     tcase_add_test(good, unlike_pairs_are_mixed_unless_they_are_given);
     tcase_add_test(good, every_scene_of_the_house_is_good);
     tcase_add_test(good, windows_line_ends_and_a_byte_order_mark_are_text);
