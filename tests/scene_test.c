@@ -539,6 +539,26 @@ START_TEST(a_file_beyond_a_mebibyte_is_refused_unread)
 }
 END_TEST
 
+// 150 000 faults in one line: nothing in reading them takes time by the square.
+START_TEST(a_mebibyte_of_faults_is_listed_in_part)
+{
+    const int pieces = 150000;
+    char *text = malloc((size_t)pieces * 6 + 3);
+    char *end = text + sprintf(text, "{");
+    for (int k = 0; k < pieces; k++)
+        end += sprintf(end, "a: b, ");
+    strcpy(end, "}");
+    outcome o = parse(text);
+    int lines = 0;
+    for (const char *p = o.said; *p; p = strchr(p, '\n') + 1)
+        lines++;
+    ck_assert_int_ge(o.complaints, pieces);
+    ck_assert_int_eq(lines, 3 * BRINK_COMPLAINTS_MOST + 1);
+    forget(&o);
+    free(text);
+}
+END_TEST
+
 START_TEST(a_nul_byte_is_no_text)
 {
     static const char text[] = "title: a\0b\n" BOX SPECIES;
@@ -639,6 +659,7 @@ int main(void)
     tcase_add_test(bad, more_particles_than_memory_are_refused_with_the_bytes);
     tcase_add_test(bad, what_is_no_file_is_said_to_be_none);
     tcase_add_test(bad, a_file_beyond_a_mebibyte_is_refused_unread);
+    tcase_add_test(bad, a_mebibyte_of_faults_is_listed_in_part);
     tcase_add_test(bad, a_nul_byte_is_no_text);
     tcase_add_test(bad, no_beginning_of_a_scene_does_harm);
     tcase_add_loop_test(bad, no_mutation_of_a_scene_does_harm, 0, 4);
