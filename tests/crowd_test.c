@@ -44,7 +44,7 @@ START_TEST(the_crowd_finds_an_overlap_just_where_there_is_one)
         double length[3];
         uint32_t count;
     } boxes[] = {{3, {9, 9, 9}, 60},  {3, {40, 4.5, 4.1}, 60},
-                 {3, {4, 4, 4}, 8},   {2, {12, 12, 1}, 40},
+                 {3, {4, 4, 4}, 12},  {2, {12, 12, 1}, 40},
                  {2, {90, 4, 1}, 40}, {3, {1e4, 4, 4}, 30}};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (unsigned seed = 0; seed < 600; seed++) {
