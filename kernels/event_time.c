@@ -1,191 +1,182 @@
 // SPDX-License-Identifier: MIT
+// The door is at the end here: no condition under which a fast path answers holds
+// for an input that is not finite or out of range, and the slow paths look for
+// those first.
 #include "event_time.h"
-#include "root.h"
+#include "path.h"
+#include "paths.h"
 
-static int in_domain(const double r[3], const double v[3], double sigma)
+#define PARAMETERS (const double r[3], const double v[3], double sigma)
+#define ARGUMENTS  (r, v, sigma)
+
+/** d where it is larger than 2^-44 Q, otherwise 0; error <= 2.4u d.  The products
+ * are exact; what follows their leading parts is below 18u Q and takes fewer than
+ * ten roundings, which with what a, b, c are off makes 150u^2 Q, or 0.3u of 2^-44
+ * Q. */
+BRINK_INLINE double discriminant_of(const sums *m)
 {
-    double zero = 0 * r[0] + 0 * r[1] + 0 * r[2] + 0 * v[0] + 0 * v[1] +
-                  0 * v[2] + 0 * sigma;
-    return zero == 0 && sigma >= 0;
+    dd p = two_prod(m->b.hi, m->b.hi), q = two_prod(m->a.hi, m->c.hi);
+    double rest = fma(m->a.hi, m->c.lo, m->a.lo * m->c.hi);
+    rest = fma(2 * m->b.hi, m->b.lo, (p.lo - q.lo) - rest);
+    double d = (p.hi - q.hi) + rest; // two roundings
+    int whole =
+        m->a.hi > 0x1p-900 && d > fma(0x1p-44 * m->a.hi, m->size, 0x1p-900);
+    return whole ? d : 0;
 }
 
-typedef struct path { // f(t) = a t^2 + 2 b t + c, d = b^2 - a c
-    brink_dyadic a, b, c, d;
-} path;
-
-static void path_make(path *p, const double r[3], const double v[3], double sigma)
+BRINK_INLINE double brink_intersection_time_body PARAMETERS
 {
-    const double x[4] = {r[0], r[1], r[2], sigma},
-                 y[4] = {r[0], r[1], r[2], -sigma};
-    brink_dyadic bb, ac;
-    brink_dyadic_dot(&p->a, 3, v, v);
-    brink_dyadic_dot(&p->b, 3, r, v);
-    brink_dyadic_dot(&p->c, 4, x, y);
-    brink_dyadic_mul(&bb, &p->b, &p->b);
-    brink_dyadic_mul(&ac, &p->a, &p->c);
-    brink_dyadic_sub(&p->d, &bb, &ac);
-}
-
-static double intersection_exact(const double r[3], const double v[3],
-                                 double sigma)
-{
-    path p;
-    path_make(&p, r, v, sigma);
-    if (p.b.sign >= 0)
-        return (double)INFINITY;
-    if (p.c.sign <= 0)
-        return 0;
-    if (p.d.sign <= 0)
-        return (double)INFINITY;
-    return brink_dyadic_root(&p.a, &p.b, &p.c, &p.d, BRINK_LOWER);
-}
-
-static double disjoint_exact(const double r[3], const double v[3], double sigma)
-{
-    path p;
-    path_make(&p, r, v, sigma);
-    if (p.a.sign == 0)
-        return (double)INFINITY;
-    if (p.b.sign >= 0 && p.c.sign >= 0)
-        return 0;
-    if (p.d.sign > 0)
-        return brink_dyadic_root(&p.a, &p.b, &p.c, &p.d, BRINK_UPPER);
-    p.b.sign = -p.b.sign;
-    return brink_dyadic_quotient(&p.b, &p.a);
-}
-
-double brink_intersection_time_cr(const double r[3], const double v[3],
-                                  double sigma)
-{
-    if (!in_domain(r, v, sigma))
-        return (double)NAN;
-    return intersection_exact(r, v, sigma);
-}
-
-double brink_disjoint_time_cr(const double r[3], const double v[3], double sigma)
-{
-    if (!in_domain(r, v, sigma))
-        return (double)NAN;
-    return disjoint_exact(r, v, sigma);
-}
-
-static double dot(const double x[3], const double y[3])
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
-static double cross_squared(const double r[3], const double v[3])
-{
-    double x, s = 0;
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        double p = r[k] * v[j], e = fma(r[k], v[j], -p);
-        x = fma(r[j], v[k], -p) - e;
-        s += x * x;
+    rate b = rate_of(r, v);
+    int in_range = sigma_in_range(sigma);
+    if (b.value > b.error && in_range)
+        return (double)INFINITY; // receding
+    if (b.value < -b.error && in_range) {
+        if (passes_by(chord_of(r, v, sigma)))
+            return (double)INFINITY;
+        sums m = sums_of(r, v, sigma);
+        double c = sum_of(m.c), d = discriminant_of(&m);
+        if (c < -0x1p-102 * m.size)
+            return 0; // overlapping and approaching
+        // c is off by 1u + 12u^2 R / c <= 4u; sqrt(d), half of the sum at most,
+        // by 2.2u; b by 1u; sum and quotient are rounded: 4 + (2.2 + 1) / 2 + 2
+        // < 8.
+        if (c > 0x1p-51 * m.size && d > 0)
+            return c / (sqrt(d) - sum_of(m.b));
     }
-    return s;
+    return brink_intersection_time_slow(r, v, sigma);
 }
 
-typedef struct floats {
-    double a, b, c, d;
-    int sure; // signs are certain and the root well conditioned
-} floats;
-
-static floats floats_make(const double r[3], const double v[3], double sigma)
+/** d where it is larger than 2^-20 Q, otherwise 0; error <= 2^-79 of it: 5u^2 Q
+ * for either product, 36u^2 Q for what a, b, c are off. */
+BRINK_INLINE dd discriminant_dd(const sums *m)
 {
-    floats p;
-    double rr = dot(r, r), ss = sigma * sigma, x = cross_squared(r, v);
-    p.a = dot(v, v);
-    p.b = dot(r, v);
-    p.c = rr - ss;
-    p.d = ss * p.a - x;
-    double rv = fabs(r[0] * v[0]) + fabs(r[1] * v[1]) + fabs(r[2] * v[2]);
-    int in_range = rr > 0x1p-300 && rr < 0x1p300 && p.a > 0x1p-300 &&
-                   p.a < 0x1p300 && ss > 0x1p-300 && ss < 0x1p300;
-    p.sure = in_range && fabs(p.c) > 0.5 * (rr + ss) && fabs(p.b) > 0.25 * rv &&
-             fabs(p.d) > 0.5 * (ss * p.a + x);
-    return p;
+    dd d = dd_add(dd_mul(m->b, m->b), dd_negate(dd_mul(m->a, m->c)));
+    int whole =
+        m->a.hi > 0x1p-800 && d.hi > fma(0x1p-20 * m->a.hi, m->size, 0x1p-800);
+    return whole ? d : (dd){0, 0};
 }
 
-double brink_intersection_time(const double r[3], const double v[3], double sigma)
+/** The double nearest to t, which is known to 2^-72 of itself; -1 if it cannot be
+ * told, or is so large or small that t has not all its bits. */
+BRINK_INLINE double rounded(dd t)
 {
-    if (!in_domain(r, v, sigma))
-        return (double)NAN;
-    floats p = floats_make(r, v, sigma);
-    if (!p.sure)
-        return intersection_exact(r, v, sigma);
-    if (p.b >= 0)
+    double slack = 0x1p-72 * t.hi;
+    int told = t.hi + (t.lo + slack) == t.hi + (t.lo - slack);
+    return told && t.hi > 0x1p-900 && t.hi < 0x1p900 ? t.hi : -1;
+}
+
+BRINK_INLINE double brink_intersection_time_cr_body PARAMETERS
+{
+    rate b = rate_of(r, v);
+    int in_range = sigma_in_range(sigma);
+    if (b.value > b.error && in_range)
         return (double)INFINITY;
-    if (p.c <= 0)
-        return 0;
-    if (p.d <= 0)
-        return (double)INFINITY;
-    return p.c / (sqrt(p.d) - p.b);
-}
-
-double brink_intersection_time_fast(const double r[3], const double v[3],
-                                    double sigma)
-{
-    return brink_intersection_time(r, v, sigma);
-}
-
-double brink_disjoint_time(const double r[3], const double v[3], double sigma)
-{
-    if (!in_domain(r, v, sigma))
-        return (double)NAN;
-    floats p = floats_make(r, v, sigma);
-    if (!p.sure)
-        return disjoint_exact(r, v, sigma);
-    if (p.b >= 0 && p.c >= 0)
-        return 0;
-    if (p.d <= 0)
-        return -p.b / p.a;
-    return p.b > 0 ? -p.c / (sqrt(p.d) + p.b) : (sqrt(p.d) - p.b) / p.a;
-}
-
-double brink_disjoint_time_fast(const double r[3], const double v[3],
-                                double sigma)
-{
-    return brink_disjoint_time(r, v, sigma);
-}
-
-double brink_halfspace_time_cr(const double r[3], const double v[3],
-                               const double n[3], const double c[3])
-{
-    if (!in_domain(r, v, 0) || !in_domain(n, c, 0))
-        return (double)NAN;
-    const double x[6] = {n[0], n[1], n[2], n[0], n[1], n[2]};
-    const double y[6] = {r[0], r[1], r[2], -c[0], -c[1], -c[2]};
-    brink_dyadic rate, f;
-    brink_dyadic_dot(&rate, 3, n, v);
-    brink_dyadic_dot(&f, 6, x, y);
-    if (rate.sign >= 0)
-        return (double)INFINITY;
-    if (f.sign <= 0)
-        return 0;
-    rate.sign = 1;
-    return brink_dyadic_quotient(&f, &rate);
-}
-
-double brink_halfspace_time(const double r[3], const double v[3],
-                            const double n[3], const double c[3])
-{
-    return brink_halfspace_time_cr(r, v, n, c);
-}
-
-#define BATCH(name, kernel)                                                      \
-    void name(size_t n, const double *rx, const double *ry, const double *rz,    \
-              const double *vx, const double *vy, const double *vz,              \
-              const double *sigma, double *t)                                    \
-    {                                                                            \
-        for (size_t i = 0; i < n; i++) {                                         \
-            const double r[3] = {rx[i], ry[i], rz[i]},                           \
-                         v[3] = {vx[i], vy[i], vz[i]};                           \
-            t[i] = kernel(r, v, sigma[i]);                                       \
-        }                                                                        \
+    if (b.value < -b.error && in_range) {
+        if (passes_by(chord_of(r, v, sigma)))
+            return (double)INFINITY;
+        sums m = normalised(sums_of(r, v, sigma));
+        dd d = discriminant_dd(&m);
+        if (m.c.hi < -0x1p-102 * m.size)
+            return 0;
+        if (m.c.hi > 0x1p-28 * m.size && d.hi > 0) { // c: 12u^2 R <= 2^-74 c
+            double t = rounded(dd_div(m.c, dd_add(dd_sqrt(d), dd_negate(m.b))));
+            if (t > 0)
+                return t;
+        }
     }
+    return brink_intersection_time_slow(r, v, sigma);
+}
 
-BATCH(brink_intersection_times, brink_intersection_time)
-BATCH(brink_intersection_times_fast, brink_intersection_time_fast)
-BATCH(brink_disjoint_times, brink_disjoint_time)
-BATCH(brink_disjoint_times_fast, brink_disjoint_time_fast)
+BRINK_INLINE double brink_intersection_time_fast_body PARAMETERS
+{
+    double b = dot_rounded(r, v);
+    int in_range = sigma_in_range(sigma);
+    if (b > 0x1p-900 && b < 0x1p1000 && in_range)
+        return (double)INFINITY;
+    if (b < -0x1p-900 && in_range) {
+        double c = dot_rounded(r, r) - sigma * sigma;
+        chord k = chord_of(r, v, sigma);
+        if (k.a > 0x1p-900 && k.s < 0x1p1000 && c < 0x1p1000) {
+            if (c <= 0)
+                return 0;
+            if (k.d <= 0)
+                return (double)INFINITY;
+            // On the rim c and d are nothing but their errors, which need not
+            // agree: the pair is there no later than at its closest approach.
+            double sum = sqrt(k.d) - b;
+            return k.a * c <= -b * sum ? c / sum : -b / k.a;
+        }
+    }
+    return brink_intersection_time_slow(r, v, sigma);
+}
+
+BRINK_INLINE double brink_disjoint_time_body PARAMETERS
+{
+    rate rough = rate_of(r, v);
+    sums m = sums_of(r, v, sigma);
+    double a = sum_of(m.a), b = sum_of(m.b), c = sum_of(m.c);
+    int approaching = rough.value < -rough.error;
+    if (sigma_in_range(sigma)) {
+        if (rough.value > rough.error && c > 0x1p-102 * m.size)
+            return 0; // outside and parting
+        if (approaching && passes_by(chord_of(r, v, sigma)))
+            return -b /
+                   a; // closest approach; |b| > 4u P, so it is off by 1u + 2u
+        // sqrt(d) and b are off by 2.2u and 1u, c by 1u + 12u^2 R / c <= 2.5u, a
+        // by 1u; sum and quotient are rounded: 2.5 + 2.2 + 2 < 8.
+        double d = discriminant_of(&m);
+        if (d > 0 && (approaching || c < -0x1p-50 * m.size))
+            return b > 0 ? -c / (sqrt(d) + b) : (sqrt(d) - b) / a;
+    }
+    return brink_disjoint_time_slow(r, v, sigma);
+}
+
+BRINK_INLINE double brink_disjoint_time_cr_body PARAMETERS
+{
+    rate rough = rate_of(r, v);
+    sums m = normalised(sums_of(r, v, sigma));
+    int approaching = rough.value < -rough.error;
+    if (sigma_in_range(sigma)) {
+        if (rough.value > rough.error && m.c.hi > 0x1p-102 * m.size)
+            return 0;
+        double t = -1;
+        if (approaching && passes_by(chord_of(r, v, sigma))) {
+            if (rough.value < -0x1p31 * rough.error) // |b| > 2^-20 P
+                t = rounded(dd_div(dd_negate(m.b), m.a));
+        } else {
+            dd d = discriminant_dd(&m), s = dd_sqrt(d);
+            if (d.hi > 0 && (approaching || m.c.hi < -0x1p-28 * m.size))
+                t = rounded(m.b.hi > 0 ? dd_div(dd_negate(m.c), dd_add(s, m.b))
+                                       : dd_div(dd_add(s, dd_negate(m.b)), m.a));
+        }
+        if (t > 0)
+            return t;
+    }
+    return brink_disjoint_time_slow(r, v, sigma);
+}
+
+BRINK_INLINE double brink_disjoint_time_fast_body PARAMETERS
+{
+    double b = dot_rounded(r, v), c = dot_rounded(r, r) - sigma * sigma;
+    if (sigma_in_range(sigma) && c < 0x1p1000) {
+        if (b > 0x1p-900 && b < 0x1p1000 && c >= 0)
+            return 0;
+        double a = dot_rounded(v, v);
+        if (c >= 0 && b < -0x1p-900) {
+            chord k = chord_of(r, v, sigma);
+            if (k.a > 0x1p-900 && k.s < 0x1p1000)
+                return ((k.d > 0 ? sqrt(k.d) : 0) - b) / a;
+        }
+        double d = fma(b, b, -a * c);
+        if (c < 0 && a > 0x1p-900 && d > 0x1p-900 && d < 0x1p1000)
+            return b > 0 ? -c / (sqrt(d) + b) : (sqrt(d) - b) / a;
+    }
+    return brink_disjoint_time_slow(r, v, sigma);
+}
+
+BRINK_SCALAR_PATHS(double, brink_intersection_time, PARAMETERS, ARGUMENTS)
+BRINK_SCALAR_PATHS(double, brink_intersection_time_cr, PARAMETERS, ARGUMENTS)
+BRINK_SCALAR_PATHS(double, brink_intersection_time_fast, PARAMETERS, ARGUMENTS)
+BRINK_SCALAR_PATHS(double, brink_disjoint_time, PARAMETERS, ARGUMENTS)
+BRINK_SCALAR_PATHS(double, brink_disjoint_time_cr, PARAMETERS, ARGUMENTS)
+BRINK_SCALAR_PATHS(double, brink_disjoint_time_fast, PARAMETERS, ARGUMENTS)

@@ -14,12 +14,10 @@
 #include <string.h>
 
 #ifdef __FAST_MATH__
-#error                                                                           \
-    "brink's results rest on IEEE arithmetic: do not compile it with -ffast-math"
+#error "brink rests on IEEE arithmetic: do not compile it with -ffast-math"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error                                                                           \
-    "brink needs doubles to be rounded to double (on old x86: -msse2 -mfpmath=sse)"
+#error "brink needs doubles to be rounded to double: -mfpmath=sse"
 #endif
 
 /** Always inlined, so that a body compiled for hardware with fma() has it
@@ -131,6 +129,17 @@ BRINK_INLINE double double_of(uint64_t b)
 BRINK_INLINE int biased_exponent(double x)
 {
     return (int)(bits_of(x) >> 52 & 0x7ff);
+}
+
+/** The e for which scaling by 2^-e brings the largest of n numbers into [1, 2),
+ * or as near to it as a power of two among the normal doubles can. */
+BRINK_INLINE int common_exponent(int n, const double *x)
+{
+    int biased = 0;
+    for (int i = 0; i < n; i++)
+        if (biased_exponent(x[i]) > biased)
+            biased = biased_exponent(x[i]);
+    return biased > 2045 ? 1022 : biased < 1 ? -1022 : biased - 1023;
 }
 
 /** 2^e, -1022 <= e <= 1023. */

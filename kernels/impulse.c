@@ -15,18 +15,6 @@ typedef struct pair {
     dd k1, k2, mu; // m2 / (m1 + m2), m1 / (m1 + m2), m1 m2 / (m1 + m2): <= 2^-100
 } pair;
 
-/** The e for which scaling by 2^-e brings the largest of n numbers to [1, 2); or
- * as near as a power of two within the doubles can, if they are all subnormal. */
-static int common_exponent(int n, const double *x)
-{
-    int biased = 0;
-    for (int i = 0; i < n; i++)
-        if (biased_exponent(x[i]) > biased)
-            biased = biased_exponent(x[i]);
-    int e = biased - 1023;
-    return e > 1022 ? 1022 : e < -1022 ? -1022 : e;
-}
-
 static void scale(double out[3], const double x[3], int e)
 {
     for (int i = 0; i < 3; i++)

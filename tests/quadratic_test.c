@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "cases.h"
+#include "oracle.h"
+#include "quadratics.h"
+#include "suite.h"
+#include <brink/quadratic.h>
+
+enum { CASES_A_FAMILY = 4000, SEED = 1 };
+
+typedef int roots_kernel(double a, double b, double c, double *x0, double *x1);
+
+/** The count exact, each root within `ulp`, or the nearest double; no -0. */
+static void keep(roots_kernel *kernel, double ulp, const char *family, int i,
+                 const quadratic_case *q)
+{
+    const double untouched = -12345;
+    double x[2] = {untouched, untouched};
+    mpfr_t exact[2];
+    mpfr_inits2(ORACLE_BITS, exact[0], exact[1], (mpfr_ptr)0);
+    int count = kernel(q->a, q->b, q->c, &x[0], &x[1]);
+    int right = oracle_roots(exact[0], exact[1], q->a, q->b, q->c);
+    int good = count == right;
+    for (int k = 0; k < 2; k++) {
+        if (k >= right) {
+            good = good && x[k] == untouched;
+            continue;
+        }
+        good = good && oracle_ulps(x[k], exact[k]) <= ulp;
+        good = good && !(mpfr_zero_p(exact[k]) && signbit(x[k]));
+        if (ulp == 0.5)
+            good = good && x[k] == mpfr_get_d(exact[k], ORACLE_N);
+    }
+    if (!good)
+        ck_abort_msg("%s %d (seed %d), to %g ulp:\n%a %a %a\ngot %d: %a %a\nexact %d: %a %a",
+                     family, i, SEED, ulp, q->a, q->b, q->c, count, x[0], x[1], right,
+                     mpfr_get_d(exact[0], ORACLE_N), mpfr_get_d(exact[1], ORACLE_N));
+    mpfr_clears(exact[0], exact[1], (mpfr_ptr)0);
+}
+
+static void keep_both(const char *family, int i, const quadratic_case *q)
+{
+    keep(brink_quadratic_roots, BRINK_QUADRATIC_ULP, family, i, q);
+    keep(brink_quadratic_roots_cr, 0.5, family, i, q);
+}
+
+START_TEST(count_is_exact_and_roots_are_within_the_bound)
+{
+    for (int f = 0; f < QUADRATIC_FAMILIES; f++) {
+        stream s = {SEED};
+        quadratic_case q;
+        for (int i = 0; i < CASES_A_FAMILY; i++) {
+            quadratic_families[f].make(&s, &q);
+            keep_both(quadratic_families[f].name, i, &q);
+        }
+    }
+}
+END_TEST
+
+START_TEST(hard_cases_are_within_the_bound)
+{
+    FILE *in = cases_open("quadratic");
+    double x[3];
+    for (int i = 0; cases_next(in, 3, x); i++)
+        keep_both("quadratic.wc", i, &(quadratic_case){x[0], x[1], x[2]});
+    fclose(in);
+}
+END_TEST
+
+START_TEST(all_small_integers_are_right)
+{
+    for (int a = -5; a <= 5; a++)
+        for (int b = -7; b <= 7; b++)
+            for (int c = -5; c <= 5; c++)
+                keep_both("integers", 0, &(quadratic_case){a, b, c});
+}
+END_TEST
+
+START_TEST(what_is_not_finite_is_refused)
+{
+    const double bad[] = {(double)INFINITY, -(double)INFINITY, (double)NAN};
+    for (int k = 0; k < 3; k++)
+        for (int place = 0; place < 3; place++)
+            for (int zeros = 0; zeros < 8; zeros++) {
+                double x[3] = {zeros & 1, zeros >> 1 & 1, zeros >> 2}, x0 = 7, x1 = 8;
+                x[place] = bad[k];
+                ck_assert_int_eq(brink_quadratic_roots(x[0], x[1], x[2], &x0, &x1), -1);
+                ck_assert_int_eq(brink_quadratic_roots_cr(x[0], x[1], x[2], &x0, &x1),
+                                 -1);
+                ck_assert(x0 == 7 && x1 == 8);
+            }
+}
+END_TEST
+
+START_TEST(scaling_by_a_power_of_two_loses_no_root)
+{
+    // t^2 - 3 t + 2 = 0.  GSL 2.7.1 finds no root at 2^665 and a double root at 2^-665.
+    for (int e = -1074; e < 1022; e++) {
+        double x0, x1, s = ldexp(1, e);
+        ck_assert_int_eq(brink_quadratic_roots(s, -3 * s, 2 * s, &x0, &x1), 2);
+        ck_assert_double_eq(x0, 1);
+        ck_assert_double_eq(x1, 2);
+    }
+}
+END_TEST
+
+START_TEST(both_outputs_may_be_one_place)
+{
+    double x;
+    ck_assert_int_eq(brink_quadratic_roots(1, -3, 2, &x, &x), 2);
+    ck_assert_double_eq(x, 2); // the second is written last
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("quadratic", 600, count_is_exact_and_roots_are_within_the_bound,
+                     hard_cases_are_within_the_bound, all_small_integers_are_right,
+                     what_is_not_finite_is_refused, scaling_by_a_power_of_two_loses_no_root,
+                     both_outputs_may_be_one_place);
+}
