@@ -37,8 +37,8 @@ static double core_volume(const brink_scene *scene)
     return sum;
 }
 
-// The part of space that the cores can fill at most.  What unequal ones can is not
-// known in general, but that it is not all.
+// The part of space that the cores can fill at most.  What unequal ones can is
+// not known in general, but that it is not all.
 static double densest(const brink_scene *scene)
 {
     const int stride = scene->species_count + 1;

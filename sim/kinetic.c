@@ -34,9 +34,10 @@ void brink_kinetic_heat(brink_system *s, double temperature, gsl_rng *random)
     }
     if (s->count > 1)
         stop_the_centre_of_mass(s);
-    // In units of 2^-53 this is off by 1 for the factor's quotient, halved by the root,
-    // and 1 for the root, which count twice: 3; by 1 for each velocity, twice: 2; and by
-    // 1 a term, 1 in all and 1 for the quotient in measuring, before and after: 6.
+    // In units of 2^-53 this is off by 1 for the factor's quotient, halved by the
+    // root, and 1 for the root, which count twice: 3; by 1 for each velocity,
+    // twice: 2; and by 1 a term, 1 in all and 1 for the quotient in measuring,
+    // before and after: 6.
     scale(s, sqrt(temperature / brink_system_temperature(s)));
 }
 

@@ -66,9 +66,9 @@ static void put_anywhere(brink_system *s, uint32_t i, gsl_rng *random)
 static int insert(brink_system *s, brink_crowd *crowd, gsl_rng *random,
                   double *packing)
 {
-    // This many trials are gone when equal cores fill about 0.34 of space or 0.52 of a
-    // plane (measured, 10^4 particles), near where random insertion jams for good: 0.384
-    // and 0.547 (Zhang, Torquato 2013).
+    // This many trials are gone when equal cores fill about 0.34 of space or 0.52
+    // of a plane (measured, 10^4 particles), near where random insertion jams for
+    // good: 0.384 and 0.547 (Zhang, Torquato 2013).
     uint64_t trials = 100000 + 200 * (uint64_t)s->count;
     uint32_t first[BRINK_SPECIES_MOST];
     int order[BRINK_SPECIES_MOST];

@@ -8,8 +8,8 @@
 
 #define INF ((double)INFINITY)
 
-// Two species, cores of 1 and 0.6 and 0.8 between them; the small ones are in a well
-// that reaches 2, which is no core.
+// Two species, cores of 1 and 0.6 and 0.8 between them; the small ones are in a
+// well that reaches 2, which is no core.
 static const brink_potential potentials[] = {
     {1, (const double[]){1}, (const double[]){INF}},
     {1, (const double[]){0.8}, (const double[]){INF}},
