@@ -99,6 +99,8 @@ static void write_frame(FILE *out, uint64_t events, double bottom)
 static void write_label(FILE *out, const curve *c)
 {
     const brink_trial *t = c->trial;
+    const uint64_t events =
+        t->events > 0 ? t->events : 1; // crashed: at the beginning
     const int method = (int)t->method, tag = 2 * method + 1;
     const char *name = brink_method_rule(t->method)->name;
     if (!c->stopped) {
@@ -111,24 +113,25 @@ static void write_label(FILE *out, const curve *c)
     fprintf(out,
             "set label %d '' at %" PRIu64
             ", 10**(%.2f) point lt %d pt 2 ps 1.3 front\n",
-            tag + 1, t->events, c->end, method + 1);
+            tag + 1, events, c->end, method + 1);
     fprintf(out,
             "set label %d '%s: %s' at %" PRIu64
             ", 10**(%.2f) offset 1.5,0 tc lt %d\n",
-            tag, name, brink_findings_outcome(t).text, t->events, c->label,
+            tag, name, brink_findings_outcome(t).text, events, c->label,
             method + 1);
 }
 
 static void write_curve(FILE *out, const brink_case *c, const curve *of)
 {
     char file[200];
-    const enum brink_method method = of->trial->method;
-    brink_findings_file(c, method, file, sizeof file);
+    const int line = (int)of->trial->method + 1;
+    brink_findings_file(c, of->trial->method, file, sizeof file);
     fprintf(
         out,
-        "'%s' using 1:($3 > 0 ? $3 : NaN) with linespoints lt %d ps 0.35, "
+        ", \\\n    '%s' using 1:($3 > 0 ? $3 : NaN) with linespoints lt %d ps "
+        "0.35, "
         "'' using 1:($3 > 0 ? NaN : 10**(%.2f)) with points lt %d pt 7 ps 0.3",
-        file, (int)method + 1, of->lane, (int)method + 1);
+        file, line, of->lane, line);
 }
 
 char *brink_energy_plot(const brink_case *c)
@@ -152,10 +155,10 @@ char *brink_energy_plot(const brink_case *c)
     write_frame(out, c->events, bottom);
     for (int k = 0; k < BRINK_METHODS; k++)
         write_label(out, &curves[k]);
-    fputs("plot ", out);
-    for (int k = 0; k < BRINK_METHODS; k++) {
-        write_curve(out, c, &curves[k]);
-        fputs(k + 1 < BRINK_METHODS ? ", \\\n    " : "\n", out);
-    }
+    fputs("plot NaN", out); // there may be no curve at all
+    for (int k = 0; k < BRINK_METHODS; k++)
+        if (curves[k].trial->events > 0)
+            write_curve(out, c, &curves[k]);
+    fputs("\n", out);
     return fclose(out) == 0 ? script : NULL;
 }

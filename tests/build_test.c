@@ -36,7 +36,7 @@ END_TEST
 START_TEST(doubles_are_evaluated_as_doubles_and_subnormals_are_kept)
 {
     ck_assert_int_eq(FLT_EVAL_METHOD, 0);
-    volatile double least = DBL_TRUE_MIN, nan = NAN;
+    volatile double least = DBL_TRUE_MIN, nan = (double)NAN;
     ck_assert_double_gt(least, 0);
     ck_assert_double_eq(least * 2, 0x1p-1073);
     ck_assert(nan != nan);

@@ -17,26 +17,28 @@ import sys
 # in brackets behind their room.
 FLOORS = """
     main
-    study (question findings energy_plot words)
-    trial
+    study
+    question findings (energy_plot)
+    trial words
     conventional doubts session
-    report method checkpoint observe start
-    gnuplot snapshot placement
-    codec kinetic lattice crowd trajectory run (predict)
-    scene (box species mix value tree source)
-    number cells calendar states
+    report method checkpoint observe start (kinetic placement)
+    gnuplot snapshot
+    codec lattice crowd trajectory run (predict)
+    scene (box species mix value tree source number)
+    cells calendar states
     system
     clock sum
-    event_time impulse step
+    event_time impulse
+    step
     overlap quadratic
-    root path paths
+    root
     dyadic
-    exact
+    exact (path paths)
 """
 
 ROOT = pathlib.Path(sys.argv[1])
 CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
-HEADER_ONLY = {"exact", "sum"}
+HEADER_ONLY = {"exact", "path", "paths", "sum"}
 LONGEST_LINE = 82
 faults = []
 
