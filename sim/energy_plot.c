@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "energy_plot.h"
+#include "words.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -75,54 +76,62 @@ static void spread_labels(curve *curves, int stopped)
 static void write_frame(FILE *out, uint64_t events, double bottom)
 {
     fprintf(out, "set logscale xy\nset xrange [1:%" PRIu64 "]\n", events);
-    fprintf(out, "set yrange [1e%.2f:1e%.2f]\n", bottom, TOP);
-    fprintf(out, "set format x '10^{%%L}'\nset xlabel 'events'\n");
-    fprintf(out,
-            "set ylabel 'relative energy error'\nset rmargin 23\nunset key\n");
-    fprintf(out, "set ytics ('1' 1");
-    for (int decade = -4; decade >= -16; decade -= 4)
-        fprintf(out, ", '10^{%d}' 1e%d", decade, decade);
-    fprintf(out, ", 'exactly 0' 1e%.2f 1)\n", (BOTTOM + bottom) / 2);
+    fprintf(out, "set yrange [10**(%.2f):10**(%.2f)]\n", bottom, TOP);
     fprintf(
         out,
-        "set object 1 rectangle from graph 0, graph 0 to graph 1, first 1e%.2f "
-        "behind fillcolor rgb '#f1f4f8' fillstyle solid noborder\n",
-        BOTTOM);
+        "set xlabel 'events'\nset ylabel 'relative energy error' offset 1,0\n");
+    fprintf(out, "set lmargin 10\nset rmargin 20\nunset key\n");
+    fprintf(out, "set xtics scale 1,0 ('1' 1");
+    for (uint64_t decade = 10; decade <= events && decade < UINT64_MAX / 10;
+         decade *= 10)
+        fprintf(out, ", '%s' %" PRIu64, brink_words_grouped(decade).text, decade);
+    fprintf(out, ")\nset ytics ('1' 1");
+    for (int decade = -4; decade >= -16; decade -= 4)
+        fprintf(out, ", '10^{%d}' 1e%d", decade, decade);
+    fprintf(out, ", 'exactly 0' 10**(%.2f))\n", (BOTTOM + bottom) / 2);
+    fprintf(out,
+            "set object 1 rectangle from graph 0, graph 0 to graph 1, first "
+            "10**(%.2f) "
+            "behind fillcolor rgb '#f1f4f8' fillstyle solid noborder\n",
+            BOTTOM);
 }
 
 static void write_label(FILE *out, const curve *c)
 {
     const brink_trial *t = c->trial;
+    const uint64_t events =
+        t->events > 0 ? t->events : 1; // crashed: at the beginning
     const int method = (int)t->method, tag = 2 * method + 1;
     const char *name = brink_method_rule(t->method)->name;
-    char outcome[160];
     if (!c->stopped) {
-        fprintf(
-            out,
-            "set label %d '%s' at graph 1, first 1e%.2f offset 1,0 tc lt %d\n",
-            tag, name, c->label, method + 1);
+        fprintf(out,
+                "set label %d '%s' at graph 1, first 10**(%.2f) offset 1,0 tc lt "
+                "%d\n",
+                tag, name, c->label, method + 1);
         return;
     }
-    brink_findings_outcome(t, outcome, sizeof outcome);
     fprintf(out,
             "set label %d '' at %" PRIu64
-            ", 1e%.2f point lt %d pt 2 ps 1.3 front\n",
-            tag + 1, t->events, c->end, method + 1);
+            ", 10**(%.2f) point lt %d pt 2 ps 1.3 front\n",
+            tag + 1, events, c->end, method + 1);
     fprintf(out,
             "set label %d '%s: %s' at %" PRIu64
-            ", 1e%.2f offset 1.5,0 tc lt %d\n",
-            tag, name, outcome, t->events, c->label, method + 1);
+            ", 10**(%.2f) offset 1.5,0 tc lt %d\n",
+            tag, name, brink_findings_outcome(t).text, events, c->label,
+            method + 1);
 }
 
 static void write_curve(FILE *out, const brink_case *c, const curve *of)
 {
     char file[200];
-    const enum brink_method method = of->trial->method;
-    brink_findings_file(c, method, file, sizeof file);
-    fprintf(out,
-            "'%s' using 1:($3 > 0 ? $3 : NaN) with linespoints lt %d ps 0.35, "
-            "'' using 1:($3 > 0 ? NaN : 1e%.2f) with points lt %d pt 7 ps 0.3",
-            file, (int)method + 1, of->lane, (int)method + 1);
+    const int line = (int)of->trial->method + 1;
+    brink_findings_file(c, of->trial->method, file, sizeof file);
+    fprintf(
+        out,
+        ", \\\n    '%s' using 1:($3 > 0 ? $3 : NaN) with linespoints lt %d ps "
+        "0.35, "
+        "'' using 1:($3 > 0 ? NaN : 10**(%.2f)) with points lt %d pt 7 ps 0.3",
+        file, line, of->lane, line);
 }
 
 char *brink_energy_plot(const brink_case *c)
@@ -146,10 +155,10 @@ char *brink_energy_plot(const brink_case *c)
     write_frame(out, c->events, bottom);
     for (int k = 0; k < BRINK_METHODS; k++)
         write_label(out, &curves[k]);
-    fputs("plot ", out);
-    for (int k = 0; k < BRINK_METHODS; k++) {
-        write_curve(out, c, &curves[k]);
-        fputs(k + 1 < BRINK_METHODS ? ", \\\n    " : "\n", out);
-    }
+    fputs("plot NaN", out); // there may be no curve at all
+    for (int k = 0; k < BRINK_METHODS; k++)
+        if (curves[k].trial->events > 0)
+            write_curve(out, c, &curves[k]);
+    fputs("\n", out);
     return fclose(out) == 0 ? script : NULL;
 }

@@ -14,36 +14,57 @@ void brink_findings_file(const brink_case *c, enum brink_method method,
              brink_words_slug(brink_method_rule(method)->name).text);
 }
 
-void brink_findings_outcome(const brink_trial *t, char *text, size_t size)
+static const char figure_caption[] =
+    "How far the energy is off, against the number of events done; both "
+    "scales are logarithmic. The energy is taken from the positions, for all "
+    "ways alike. A cross marks where a way was stopped, because time stood "
+    "still (the same pair had over a thousand events at one instant) or the "
+    "energy was off by more than |ε| a particle. Points in the shaded band "
+    "have no error at all.";
+
+static const char outcomes_caption[] =
+    "What became of each. The error is relative to the energy at the start. "
+    "Times are of this machine: the logical states' while being watched, the "
+    "others' in a plain loop.";
+
+static const char events_caption[] =
+    "Events by kind, as each way takes them. Apart from these: crossings of "
+    "the cells that the program sorts particles into; events due at once when "
+    "they were predicted; and those of the same pair at the same instant as "
+    "the event before.";
+
+static const char doubts_caption[] =
+    "Inconsistencies between position and logical state, with counting errors "
+    "(none seen: bound at 95 % confidence).";
+
+static const char counting[] =
+    "In the run with logical states one can look at what the positions would "
+    "have said, and count how often that is wrong.";
+
+static const char comparison[] =
+    "[S16] gives %s an event for this potential, with 32 000 particles and "
+    "3.2 × 10⁸ events, and does not say what was counted. Of the three, "
+    "within counting errors, %s agrees with that%s";
+
+static const char too_short[] =
+    ". (C) was not seen at all; a run of this size is too short to tell "
+    "something so rare from what never happens.";
+
+brink_words brink_findings_outcome(const brink_trial *t)
 {
-    const brink_words n = brink_words_grouped(t->events);
-    const char *events = n.text;
-    switch (t->outcome) {
-    case BRINK_OUTCOME_DONE:
-        snprintf(text, size, "did all %s events", events);
-        break;
-    case BRINK_OUTCOME_AT_REST:
-        snprintf(text, size, "came to rest after %s events", events);
-        break;
-    case BRINK_OUTCOME_STANDS_STILL:
-        snprintf(text, size, "stood still after %s events", events);
-        break;
-    case BRINK_OUTCOME_ENERGY_OFF:
-        snprintf(
-            text, size,
-            "had its energy off by more than |ε| a particle within %s events",
-            events);
-        break;
-    case BRINK_OUTCOME_REFUSED:
-        snprintf(text, size, "was refused an event after %s", events);
-        break;
-    case BRINK_OUTCOME_NO_MEMORY:
-        snprintf(text, size, "ran out of memory after %s events", events);
-        break;
-    case BRINK_OUTCOME_NONE:
-        snprintf(text, size, "crashed");
-        break;
-    }
+    static const char *const phrase[] = {
+        [BRINK_OUTCOME_NONE] = "crashed",
+        [BRINK_OUTCOME_DONE] = "did all %s events",
+        [BRINK_OUTCOME_AT_REST] = "came to rest after %s events",
+        [BRINK_OUTCOME_STANDS_STILL] = "stood still after %s events",
+        [BRINK_OUTCOME_ENERGY_OFF] = "had a false energy after %s events",
+        [BRINK_OUTCOME_REFUSED] = "was refused an event after %s",
+        [BRINK_OUTCOME_NO_MEMORY] = "ran out of memory after %s events",
+    };
+    brink_words w;
+    snprintf(w.text, sizeof w.text, phrase[t->outcome],
+             brink_words_grouped(t->events).text);
+    return w;
 }
 
 static int came_through(const brink_trial *t)
@@ -52,96 +73,106 @@ static int came_through(const brink_trial *t)
            t->outcome == BRINK_OUTCOME_AT_REST;
 }
 
-// "a, b and c": the names of the conventional methods that came through, or did
-// not.
-static int list_methods(const brink_case *c, int through, char *text, size_t size)
+static int count_through(const brink_case *c)
 {
-    int count = 0, listed = 0;
-    size_t at = 0;
+    int count = 0;
     for (int k = BRINK_METHOD_LOGICAL + 1; k < BRINK_METHODS; k++)
-        count += came_through(&c->trial[k]) == through;
-    text[0] = '\0';
-    for (int k = BRINK_METHOD_LOGICAL + 1; k < BRINK_METHODS; k++) {
-        const brink_trial *t = &c->trial[k];
-        char outcome[160];
-        if (came_through(t) != through)
-            continue;
-        const char *link = listed == 0           ? ""
-                           : listed == count - 1 ? " and "
-                                                 : ", ";
-        brink_findings_outcome(t, outcome, sizeof outcome);
-        listed++;
-        at +=
-            (size_t)snprintf(text + at, size - at, through ? "%s%s" : "%s%s (%s)",
-                             link, brink_method_rule(t->method)->name, outcome);
-        if (at >= size)
-            break;
-    }
+        count += came_through(&c->trial[k]);
     return count;
 }
 
-void brink_findings_sentences(const brink_case *c, char *text, size_t size)
+// "a, b and c": the conventional methods that came through; or those that did not, each
+// with what became of it.
+static void list_methods(FILE *out, const brink_case *c, int through, int count)
 {
-    const brink_trial *logical = &c->trial[BRINK_METHOD_LOGICAL];
-    char outcome[160], failed[900], through[400], error[160];
-    const int failures = list_methods(c, 0, failed, sizeof failed);
-    const int successes = list_methods(c, 1, through, sizeof through);
-    brink_findings_outcome(logical, outcome, sizeof outcome);
-    if (logical->energy_worst > 0)
-        snprintf(error, sizeof error, "was never further off than %s of itself",
-                 brink_words_scientific(logical->energy_worst).text);
-    else
-        snprintf(error, sizeof error, "was exactly what it was at the start");
-    size_t at = (size_t)snprintf(text, size,
-                                 "With logical states the run %s, and at all "
-                                 "sample points its energy %s. ",
-                                 outcome, error);
-    if (at >= size)
-        return;
-    if (failures == 0)
-        snprintf(text + at, size - at, "So did %s.", through);
-    else if (successes == 0)
-        snprintf(text + at, size - at, "None of the others came that far: %s.",
-                 failed);
-    else
-        snprintf(text + at, size - at,
-                 "From the same start %d of the %d other ways failed – %s – "
-                 "while %s came "
-                 "through.",
-                 failures, BRINK_METHODS - 1, failed, through);
+    int listed = 0;
+    for (int k = BRINK_METHOD_LOGICAL + 1; k < BRINK_METHODS; k++) {
+        const brink_trial *t = &c->trial[k];
+        if (came_through(t) != through)
+            continue;
+        fprintf(out, "%s%s",
+                listed == 0           ? ""
+                : listed == count - 1 ? " and "
+                                      : ", ",
+                brink_method_rule(t->method)->name);
+        listed++;
+        if (!through)
+            fprintf(out, " (%s)", brink_findings_outcome(t).text);
+    }
 }
 
-// "A–A: energy −1 inside 3, hard core at 1".
-static void tell_potentials(brink_report *r, const brink_scene *s)
+static void write_sentences(FILE *out, const brink_case *c)
 {
-    char text[1000];
-    size_t at = 0;
-    text[0] = '\0';
+    const brink_trial *logical = &c->trial[BRINK_METHOD_LOGICAL];
+    const int others = BRINK_METHODS - 1, through = count_through(c);
+    fprintf(
+        out,
+        "With logical states the run %s, and at every sample point its energy ",
+        brink_findings_outcome(logical).text);
+    if (logical->energy_worst > 0)
+        fprintf(out, "was within %s of what it was at the start. ",
+                brink_words_scientific(logical->energy_worst).text);
+    else
+        fputs("was exactly what it was at the start. ", out);
+    if (through == others) {
+        fputs("From the same start so did ", out);
+        list_methods(out, c, 1, through);
+    } else {
+        fprintf(out, "From the same start %d of the %d other ways failed: ",
+                others - through, others);
+        list_methods(out, c, 0, others - through);
+    }
+    if (through > 0 && through < others) {
+        fputs("; while ", out);
+        list_methods(out, c, 1, through);
+        fputs(" came through", out);
+    }
+    fputs(".", out);
+}
+
+char *brink_findings_sentences(const brink_case *c)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return NULL;
+    write_sentences(out, c);
+    return fclose(out) == 0 ? text : NULL;
+}
+
+// "A–A: energy −1 within 3, hard core at 1".
+static void write_potential(FILE *out, const brink_potential *p)
+{
+    for (int k = 0; k < p->count; k++) {
+        const double energy = p->energy[k];
+        fputs(k > 0 ? ", " : "", out);
+        if (isinf(energy))
+            fprintf(out, "hard core at %g", p->distance[k]);
+        else
+            fprintf(out, "energy %s%g within %g", energy < 0 ? "−" : "",
+                    fabs(energy), p->distance[k]);
+    }
+}
+
+static void tell_system(brink_report *r, const brink_scene *s)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return;
     for (int a = 0; a < s->species_count; a++)
         for (int b = a; b < s->species_count; b++) {
-            const brink_potential *p = &s->potential[a * s->species_count + b];
-            for (int k = 0; k < p->count && at < sizeof text; k++) {
-                if (k == 0)
-                    at +=
-                        (size_t)snprintf(text + at, sizeof text - at,
-                                         "%s%s–%s: ", at > 0 ? "; " : "",
-                                         s->species[a].name, s->species[b].name);
-                else
-                    at += (size_t)snprintf(text + at, sizeof text - at, ", ");
-                if (at < sizeof text)
-                    at +=
-                        (size_t)(isinf(p->energy[k])
-                                     ? snprintf(text + at, sizeof text - at,
-                                                "hard core at %g", p->distance[k])
-                                     : snprintf(text + at, sizeof text - at,
-                                                "energy %g within %g",
-                                                p->energy[k], p->distance[k]));
-            }
+            fprintf(out, "; %s–%s: ", s->species[a].name, s->species[b].name);
+            write_potential(out, &s->potential[a * s->species_count + b]);
         }
+    fclose(out);
     brink_report_paragraph(
-        r, "%s particles at temperature %g, %g × %g × %g in size; %s.",
+        r, "%s particles at temperature %g in a box of %g × %g × %g%s.",
         brink_words_grouped(s->count).text, s->temperature, s->length[0],
         s->length[1], s->length[2], text);
+    free(text);
 }
 
 static void tell_outcomes(brink_report *r, const brink_case *c)
@@ -149,25 +180,20 @@ static void tell_outcomes(brink_report *r, const brink_case *c)
     static const char *const head[] = {"way", "what became of it",
                                        "energy error at the end", "µs an event"};
     static const char *const kinds[] = {"core", "capture", "release", "bounce"};
-    brink_report_table(
-        r,
-        "What became of each. The error is relative to the energy at the "
-        "start. Times are of this machine, the conventional ways' in a plain "
-        "loop and the logical states' while being watched.",
-        4, "llrr", head);
+    brink_report_table(r, outcomes_caption, 4, "llrr", head);
     for (int k = 0; k < BRINK_METHODS; k++) {
         const brink_trial *t = &c->trial[k];
-        char outcome[160];
-        brink_findings_outcome(t, outcome, sizeof outcome);
+        const brink_words outcome = brink_findings_outcome(t);
         brink_report_cell(r, "%s", brink_method_rule(t->method)->name);
         if (came_through(t) || t->events == 0)
-            brink_report_cell(r, "%s", outcome);
+            brink_report_cell(r, "%s", outcome.text);
         else
             brink_report_cell(
                 r, "%s; the last a %s of particles %" PRIu32 " and %" PRIu32,
-                outcome, kinds[t->last.kind], t->last.i, t->last.j);
+                outcome.text, kinds[t->last.kind], t->last.i, t->last.j);
         brink_report_cell(r, "%s", brink_words_scientific(t->energy_error).text);
-        brink_report_cell(r, "%.1f", t->seconds / (double)t->events * 1e6);
+        brink_report_cell(r, t->events > 0 ? "%.1f" : "–",
+                          t->seconds / (double)t->events * 1e6);
     }
     brink_report_table_end(r);
 }
@@ -176,13 +202,7 @@ static void tell_events(brink_report *r, const brink_case *c)
 {
     static const char *const head[] = {"way",  "capture", "release", "bounce",
                                        "core", "cell",    "at once", "repeated"};
-    brink_report_table(
-        r,
-        "Events by kind, as each way takes them. Apart from these: crossings "
-        "of the cells that the program sorts particles into; events due at "
-        "once when they were predicted; and those of the same pair at the "
-        "same instant as the event before.",
-        8, "lrrrrrrr", head);
+    brink_report_table(r, events_caption, 8, "lrrrrrrr", head);
     for (int k = 0; k < BRINK_METHODS; k++) {
         const brink_tally *t = &c->trial[k].tally;
         const uint64_t counts[] = {t->capture, t->release, t->bounce,  t->core,
@@ -225,14 +245,8 @@ static void tell_doubts(brink_report *r, const brink_case *c)
     const brink_trial *t = &c->trial[BRINK_METHOD_LOGICAL];
     const brink_doubts *d = &t->doubts;
     const double paper = paper_says(&c->scene);
-    brink_report_paragraph(r, "In the run with logical states one can look at "
-                              "what the positions would have "
-                              "said, and count how often it is wrong.");
-    brink_report_table(
-        r,
-        "Inconsistencies between position and logical state, with counting "
-        "errors (none seen: 95 % bound).",
-        5, "lrrrr", head);
+    brink_report_paragraph(r, counting);
+    brink_report_table(r, doubts_caption, 5, "lrrrr", head);
     tell_doubt(r, "(A) when an event is executed, just before it", d->before,
                d->events, paper);
     tell_doubt(r, "(B) right after it, where the pair is looked at again",
@@ -245,66 +259,40 @@ static void tell_doubts(brink_report *r, const brink_case *c)
     brink_report_table_end(r);
 }
 
-// Which of the definitions comes near to the paper's figure: within three
-// counting errors.
+// Whether a count agrees with what was expected: within three counting errors.
+static int agrees(uint64_t count, double expected)
+{
+    return fabs((double)count - expected) <= 3 * sqrt(fmax(expected, 1));
+}
+
 static void tell_paper(brink_report *r, const brink_case *c)
 {
     const brink_doubts *d = &c->trial[BRINK_METHOD_LOGICAL].doubts;
     const double paper = paper_says(&c->scene);
-    const struct {
-        const char *name;
-        uint64_t count, of;
-    } kinds[] = {{"(A)", d->before, d->events},
-                 {"(B)", d->after, d->events},
-                 {"(C)", d->later, d->looks_later}};
-    char near[40] = "";
+    const double events = paper * (double)d->events;
+    const double looks = paper * (double)d->looks_later;
     if (paper == 0)
         return;
-    for (size_t k = 0; k < 3; k++) {
-        const double expected = paper * (double)kinds[k].of;
-        const double off = fabs((double)kinds[k].count - expected);
-        if (off <= 3 * sqrt(fmax(expected, 1)))
-            snprintf(near + strlen(near), sizeof near - strlen(near), "%s%s",
-                     near[0] != '\0' ? " and " : "", kinds[k].name);
-    }
-    brink_report_paragraph(r,
-                           "[S16] gives %s an event for this potential, of 32 "
-                           "000 particles and 3.2 × 10⁸ "
-                           "events, and does not say what was counted. %s%s%s",
-                           brink_words_scientific(paper).text,
-                           near[0] != '\0' ? "Near to it comes "
-                                           : "None of these ",
-                           near[0] != '\0' ? near : "comes near to it",
-                           paper * (double)d->looks_later < 3
-                               ? "; but a run of this size is too short to tell "
-                                 "so rare a thing from one that "
-                                 "never happens."
-                               : ".");
+    const char *which = agrees(d->before, events)  ? "(A)"
+                        : agrees(d->after, events) ? "(B)"
+                        : agrees(d->later, looks)  ? "(C)"
+                                                   : "none";
+    brink_report_paragraph(r, comparison, brink_words_scientific(paper).text,
+                           which, d->later == 0 && looks < 3 ? too_short : ".");
 }
 
 void brink_findings_tell(brink_report *r, const brink_case *c)
 {
-    char text[2000], name[80];
+    char name[80];
     brink_report_heading(r, 2, "%s",
                          c->scene.title[0] != '\0' ? c->scene.title : c->name);
-    tell_potentials(r, &c->scene);
-    brink_findings_sentences(c, text, sizeof text);
-    brink_report_finding(r, "%s", text);
-    char *script = brink_energy_plot(c);
+    tell_system(r, &c->scene);
+    char *sentences = brink_findings_sentences(c), *script = brink_energy_plot(c);
+    brink_report_finding(r, "%s", sentences != NULL ? sentences : "");
+    free(sentences);
     snprintf(name, sizeof name, "%s-energy", c->name);
     if (script != NULL)
-        brink_report_figure(
-            r, name,
-            "How far the energy is off, against the number of events done; both "
-            "scales are "
-            "logarithmic. The energy is taken from the positions, for all ways "
-            "alike. A "
-            "cross marks where a way was stopped, because time stood still (the "
-            "same pair "
-            "had over a thousand events at one instant) or the energy was off by "
-            "more than "
-            "|ε| a particle. Points in the shaded band have no error at all.",
-            script);
+        brink_report_figure(r, name, figure_caption, script);
     free(script);
     tell_outcomes(r, c);
     brink_report_heading(r, 3, "How often position is wrong");

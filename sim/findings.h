@@ -8,6 +8,7 @@
 #include "report.h"
 #include "scene.h"
 #include "trial.h"
+#include "words.h"
 
 typedef struct brink_case { // a scene of the study, and what became of it
     const char *path;
@@ -20,11 +21,11 @@ typedef struct brink_case { // a scene of the study, and what became of it
 /** One scene: figure, outcomes, inconsistencies, events. */
 void brink_findings_tell(brink_report *r, const brink_case *c);
 
-/** The two sentences that say what one sees in it. */
-void brink_findings_sentences(const brink_case *c, char *text, size_t size);
+/** The two sentences that say what one sees in it, to be freed; NULL: no memory. */
+char *brink_findings_sentences(const brink_case *c);
 
 /** What became of a trial, as a verb phrase: "stood still after 1 006 events". */
-void brink_findings_outcome(const brink_trial *t, char *text, size_t size);
+brink_words brink_findings_outcome(const brink_trial *t);
 
 /** The file with a trial's samples, beside the page. */
 void brink_findings_file(const brink_case *c, enum brink_method method,

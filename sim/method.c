@@ -15,16 +15,19 @@ void brink_separation_now(const brink_run *run, uint32_t i, uint32_t j,
         r[a] -= s->length[a] * rint(r[a] / s->length[a]);
 }
 
-int brink_level_by_position(const brink_potential *p, const double r[3])
-{
-    const int seen = brink_step_level_at(p, r),
-              most = brink_potential_levels(p) - 1;
-    return seen < most ? seen : most;
-}
-
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+int brink_level_by_position(const brink_potential *p, const double r[3])
+{
+    if (dot(r, r) >
+        2 * p->distance[0] * p->distance[0]) // no rounding is as large
+        return 0;
+    const int seen = brink_step_level_at(p, r),
+              most = brink_potential_levels(p) - 1;
+    return seen < most ? seen : most;
 }
 
 double brink_disjoint_time_as_printed(const double r[3], const double v[3],

@@ -88,7 +88,6 @@ static void take_result(const study *s, int job, int status)
 {
     brink_case *c = case_of(s, job);
     brink_trial trial, *place = &c->trial[method_of(s, job)];
-    char outcome[160];
     const ssize_t size = (ssize_t)sizeof trial;
     *place =
         (brink_trial){.method = method_of(s, job), .particles = c->scene.count};
@@ -98,9 +97,9 @@ static void take_result(const study *s, int job, int status)
     else if (WIFSIGNALED(status))
         fprintf(stderr, "brink study: a worker was ended by signal %d (%s)\n",
                 WTERMSIG(status), strsignal(WTERMSIG(status)));
-    brink_findings_outcome(place, outcome, sizeof outcome);
     fprintf(stderr, "brink study: %s, %s: %s\n", c->name,
-            brink_method_rule(place->method)->name, outcome);
+            brink_method_rule(place->method)->name,
+            brink_findings_outcome(place).text);
 }
 
 static int find(const pid_t *worker, int started, pid_t who)

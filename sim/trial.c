@@ -68,7 +68,9 @@ static double largest_step(const brink_system *s)
 static void sample(const brink_run *run, FILE *samples, brink_trial *t)
 {
     const double energy = brink_energy_by_position(run);
-    t->energy_error = fabs(energy - t->energy_begin) / fabs(t->energy_begin);
+    t->energy_end = energy;
+    const double size = fabs(t->energy_begin);
+    t->energy_error = fabs(energy - t->energy_begin) / (size > 0 ? size : 1);
     t->energy_worst = fmax(t->energy_worst, t->energy_error);
     t->events = brink_tally_events(&run->tally);
     t->time = brink_run_time(run);
@@ -88,7 +90,7 @@ static enum brink_outcome judge(const brink_trial *t,
         [BRINK_RUN_REFUSED] = BRINK_OUTCOME_REFUSED,
         [BRINK_RUN_NO_MEMORY] = BRINK_OUTCOME_NO_MEMORY,
     };
-    const double off = t->energy_error * fabs(t->energy_begin);
+    const double off = fabs(t->energy_end - t->energy_begin);
     if (status != BRINK_RUN_REACHED)
         return ends[status];
     // Without a finite step there is no epsilon, and no potential energy to be

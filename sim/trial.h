@@ -28,7 +28,8 @@ typedef struct brink_trial {
     double time;         // simulated
     double seconds;      // of the processor, for the events alone
     double energy_begin; // as the positions show it
-    double energy_error; // at the end, relative, >= 0
+    double energy_end;
+    double energy_error; // of that, >= 0; relative unless the energy was 0
     double energy_worst; // of all samples
     double epsilon;      // the largest |energy| of a finite step
     brink_tally tally;

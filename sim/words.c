@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 brink_words brink_words_grouped(uint64_t n)
 {
@@ -21,17 +22,18 @@ brink_words brink_words_scientific(double x)
 {
     static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴",
                                          "⁵", "⁶", "⁷", "⁸", "⁹"};
+    char plain[32];
     brink_words w;
-    if (x == 0 || !isfinite(x)) {
+    snprintf(plain, sizeof plain, "%.1e", x);
+    char *exponent = strchr(plain, 'e');
+    if (x == 0 || exponent == NULL) {
         snprintf(w.text, sizeof w.text, "%g", x);
         return w;
     }
-    int exponent = (int)floor(log10(fabs(x)));
-    if (fabs(x) / pow(10, exponent) >= 9.95)
-        exponent++;
-    int at = snprintf(w.text, sizeof w.text, "%.1f × 10%s", x / pow(10, exponent),
-                      exponent < 0 ? "⁻" : "");
-    const int size = abs(exponent);
+    *exponent++ = '\0';
+    const int power = atoi(exponent), size = abs(power);
+    int at =
+        snprintf(w.text, sizeof w.text, "%s × 10%s", plain, power < 0 ? "⁻" : "");
     for (int unit = size >= 100 ? 100 : size >= 10 ? 10 : 1; unit > 0; unit /= 10)
         at += snprintf(w.text + at, sizeof w.text - (size_t)at, "%s",
                        raised[size / unit % 10]);
