@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The door is at the end here: no condition under which a fast path answers holds for an
 // input that is not finite or out of range, and the slow paths look for those first.
-#include "event_time.h"
-#include "path.h"
 #include "paths.h"
 
-#define PARAMETERS (const double r[3], const double v[3], double sigma)
-#define ARGUMENTS  (r, v, sigma)
+#include "event_time.h"
+#include "path.h"
 
 // --- Plain ---------------------------------------------------------------------------
 
-BRINK_INLINE double brink_intersection_time_body PARAMETERS
+double brink_intersection_time(const double r[3], const double v[3], double sigma)
 {
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
@@ -27,7 +25,7 @@ BRINK_INLINE double brink_intersection_time_body PARAMETERS
     return brink_intersection_time_slow(r, v, sigma);
 }
 
-BRINK_INLINE double brink_disjoint_time_body PARAMETERS
+double brink_disjoint_time(const double r[3], const double v[3], double sigma)
 {
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
@@ -46,7 +44,8 @@ BRINK_INLINE double brink_disjoint_time_body PARAMETERS
 
 // --- Fast ----------------------------------------------------------------------------
 
-BRINK_INLINE double brink_intersection_time_fast_body PARAMETERS
+double brink_intersection_time_fast(const double r[3], const double v[3],
+                                    double sigma)
 {
     double b = dot_rounded(r, v);
     int in_range = sigma_in_range(sigma);
@@ -69,7 +68,8 @@ BRINK_INLINE double brink_intersection_time_fast_body PARAMETERS
     return brink_intersection_time_slow(r, v, sigma);
 }
 
-BRINK_INLINE double brink_disjoint_time_fast_body PARAMETERS
+double brink_disjoint_time_fast(const double r[3], const double v[3],
+                                double sigma)
 {
     double b = dot_rounded(r, v), c = dot_rounded(r, r) - sigma * sigma;
     if (sigma_in_range(sigma) && c < 0x1p1000) {
@@ -96,10 +96,11 @@ typedef struct fine_sums {
     double size;
 } fine_sums;
 
-BRINK_INLINE fine_sums fine_sums_of PARAMETERS
+BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
+                                    double sigma)
 {
     sums m = sums_of(r, v, sigma);
-    dd a = dot_of(v, v);
+    dd a = square_of(v);
     return (fine_sums){two_sum(a.hi, a.lo), two_sum(m.b.hi, m.b.lo),
                        two_sum(m.c.hi, m.c.lo), m.size};
 }
@@ -119,7 +120,8 @@ BRINK_INLINE double rounded(dd t)
     return is_told(t) && t.hi > 0x1p-900 && t.hi < 0x1p900 ? t.hi : -1;
 }
 
-BRINK_INLINE double brink_intersection_time_cr_body PARAMETERS
+double brink_intersection_time_cr(const double r[3], const double v[3],
+                                  double sigma)
 {
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
@@ -132,7 +134,8 @@ BRINK_INLINE double brink_intersection_time_cr_body PARAMETERS
             if (m.c.hi < -0x1p-102 * m.size)
                 return 0;
             // c is off by 11u^2 R <= 2^-74 c
-            dd d = fine_discriminant(&m), sum = dd_add(dd_sqrt(d), dd_negate(m.b));
+            dd d = fine_discriminant(&m),
+               sum = dd_add(dd_sqrt(d), dd_negate(m.b));
             double t = rounded(dd_div(m.c, sum));
             if (m.c.hi > 0x1p-28 * m.size && d.hi > 0 && t > 0)
                 return t;
@@ -141,7 +144,7 @@ BRINK_INLINE double brink_intersection_time_cr_body PARAMETERS
     return brink_intersection_time_slow(r, v, sigma);
 }
 
-BRINK_INLINE double brink_disjoint_time_cr_body PARAMETERS
+double brink_disjoint_time_cr(const double r[3], const double v[3], double sigma)
 {
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
@@ -152,23 +155,18 @@ BRINK_INLINE double brink_disjoint_time_cr_body PARAMETERS
         fine_sums m = fine_sums_of(r, v, sigma);
         double t = -1;
         if (is_negative(b) && passes_by(chord_of(r, v, sigma))) {
-            if (b.value < -0x1p31 * b.error) // |b| > 2^-20 P, so 7u^2 P are not much
+            if (b.value <
+                -0x1p31 * b.error) // |b| > 2^-20 P, so 7u^2 P are not much
                 t = rounded(dd_div(dd_negate(m.b), m.a));
         } else {
             dd d = fine_discriminant(&m), root = dd_sqrt(d);
             if (d.hi > 0 && (is_negative(b) || m.c.hi < -0x1p-28 * m.size))
-                t = rounded(m.b.hi > 0 ? dd_div(dd_negate(m.c), dd_add(root, m.b))
-                                       : dd_div(dd_add(root, dd_negate(m.b)), m.a));
+                t = rounded(m.b.hi > 0
+                                ? dd_div(dd_negate(m.c), dd_add(root, m.b))
+                                : dd_div(dd_add(root, dd_negate(m.b)), m.a));
         }
         if (t > 0)
             return t;
     }
     return brink_disjoint_time_slow(r, v, sigma);
 }
-
-BRINK_SCALAR_PATHS(double, brink_intersection_time, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(double, brink_intersection_time_fast, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(double, brink_intersection_time_cr, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(double, brink_disjoint_time, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(double, brink_disjoint_time_fast, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(double, brink_disjoint_time_cr, PARAMETERS, ARGUMENTS)
