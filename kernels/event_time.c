@@ -34,7 +34,8 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
         if (outside && is_positive(b))
             return 0;
         if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma)))
-            return -sum_of(dot_of(r, v)) / dot_rounded(v, v); // as parting_time has it
+            return -sum_of(dot_of(r, v)) /
+                   dot_rounded(v, v); // as parting_time has it
         sums m = sums_in_lanes(r, v, sigma);
         double t = parting_time(&m, dot_rounded(v, v), b, 0);
         if (t >= 0)
@@ -45,7 +46,8 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
 
 // --- Fast ----------------------------------------------------------------------------
 
-double brink_intersection_time_fast(const double r[3], const double v[3], double sigma)
+double brink_intersection_time_fast(const double r[3], const double v[3],
+                                    double sigma)
 {
     double b = dot_rounded(r, v);
     if (is_in_range(b) && sigma_in_range(sigma))
@@ -58,7 +60,10 @@ double brink_intersection_time_fast(const double r[3], const double v[3], double
         return (double)INFINITY;
     if (c <= 0)
         return 0;
-    return k.d > 0 ? first_root(b, c, k) : (double)INFINITY;
+    if (k.d <= 0)
+        return (double)INFINITY;
+    double sum = sqrt(k.d) - b;
+    return is_too_late(b, c, k, sum) ? -b / k.a : c / sum;
 }
 
 double brink_disjoint_time_fast(const double r[3], const double v[3],

@@ -101,7 +101,10 @@ static void meet_fast(int n, const many *p, double *t)
         chord k = chord_of(r, v, sigma);
         int certain = are_in_range(k.a, rr, ss) & (sigma > 0);
         int never = (b >= 0) | ((c > 0) & (k.d <= 0));
-        double time = c > 0 ? first_root(b, c, k) : 0;
+        double sum = sqrt(k.d > 0 ? k.d : 0) - b;
+        int late = is_too_late(b, c, k, sum);
+        double time = (late ? -b : c) / (late ? k.a : sum);
+        time = c > 0 ? time : 0;
         time = never ? (double)INFINITY : time;
         t[i] = certain ? time : -1;
     }

@@ -207,12 +207,14 @@ BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passin
 {
     double b = sum_of(m->b), c = sum_of(m->c);
     double bb = b * b, d = fma(-a, c, bb);
-    int inside = c < -0x1p-52 * m->size, near = is_negative(rough) & (d > 0.75 * bb);
+    int inside = c < -0x1p-52 * m->size,
+        near = is_negative(rough) & (d > 0.75 * bb);
     int certain = passing | (is_in_range(d) & (inside | near));
     int now = is_positive(rough) & is_outside(m);
-    double t = later_root(a, b, c, sqrt(passing | (d < 0) ? 0 : d));
-    double later = certain & (a > 0x1p-900) ? t : -1;
-    return now ? 0 : later;
+    int none = passing | (d < 0), later = certain & (a > 0x1p-900);
+    double t = later_root(a, b, c, sqrt(none ? 0 : d));
+    t = later ? t : -1;
+    return now ? 0 : t;
 }
 
 // --- Fast ----------------------------------------------------------------------------
@@ -225,14 +227,11 @@ BRINK_INLINE int are_in_range(double a, double rr, double ss)
     return all < 512;
 }
 
-/** The time at which the sphere is met, by a pair with b < 0 < c, d > 0.  On the rim c and
- *  d are nothing but their errors, which need not agree: the pair is there no later than
- *  at its closest approach, -b / a. */
-BRINK_INLINE double first_root(double b, double c, chord k)
+/** On the rim c and d are nothing but their errors, which need not agree: there the pair
+ *  is at the sphere no later than at its closest approach, -b / a. */
+BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
 {
-    double sum = sqrt(k.d > 0 ? k.d : 0) - b;
-    int late = k.a * c > -b * sum;
-    return (late ? -b : c) / (late ? k.a : sum);
+    return k.a * c > -b * sum;
 }
 
 /** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then. */
