@@ -7,11 +7,11 @@
 #include <stdlib.h>
 
 // All in decades.  A line of text is a little less than one high in the plot.
-#define TOP        1.0   // errors can exceed 1
+#define TOP        1.0     // errors can exceed 1
 #define BOTTOM     (-16.5) // half of what a double can tell from 1 is 10^-15.95
-#define LANE       0.4   // between the lanes of the band for zeros
-#define TEXT       1.05  // between labels
-#define BELOW_TEXT 0.7   // from a lane with a label in the plot to the next
+#define LANE       0.4     // between the lanes of the band for zeros
+#define TEXT       1.05    // between labels
+#define BELOW_TEXT 0.7     // from a lane with a label in the plot to the next
 
 typedef struct curve {
     const brink_trial *trial;

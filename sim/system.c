@@ -13,7 +13,7 @@ static int copy_potentials(brink_system *s, const brink_potential *from)
     for (size_t p = 0; p < pairs; p++)
         steps += (size_t)from[p].count;
     const size_t size = pairs * sizeof *s->potential + 2 * steps * sizeof(double);
-    // NOLINTNEXTLINE(clang-analyzer-optin.portability.*): there is always a species
+    // NOLINTNEXTLINE(clang-analyzer-optin.portability.*): never without species
     s->potential = malloc(size);
     if (!s->potential)
         return -1;
