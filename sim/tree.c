@@ -4,8 +4,8 @@
 #include <string.h>
 #include <yaml.h>
 
-// Maps and lists that go on, outermost first, and where the next child of each goes.
-// The first is no node of the file: what would be its only child is the file's root.
+// Maps and lists that go on, outermost first, and where the next child of each
+// goes.  The first is no node of the file: its only child is the file's root.
 struct builder {
     brink_source *source;
     brink_node *open[BRINK_TREE_DEPTH + 1];
