@@ -124,6 +124,23 @@ BRINK_INLINE double double_of(uint64_t b)
     return x;
 }
 
+/** 2^-400 <= x < 2^500: also tells NaN, infinities and the negative. */
+BRINK_INLINE int is_moderate(double x)
+{
+    return (bits_of(x) >> 52) - (1023 - 400) < 900;
+}
+
+/**
+ * Whether x.hi is the double nearest to what x stands for, |x.lo| <= u |x.hi|, when that
+ * is known to 2^-70 of itself.  Only where x.lo is within that of half an ulp can it be
+ * another, and there 2^-15 more brings the sum past the midpoint; at a power of two,
+ * below which the midpoint is a quarter of an ulp away, that still is 2^-70.
+ */
+BRINK_INLINE int is_told(dd x)
+{
+    return fma(x.lo, 1 + 0x1p-15, x.hi) == x.hi;
+}
+
 /** The biased exponent: 0 for zero and subnormals, 2047 for infinities and NaN.
  */
 BRINK_INLINE int biased_exponent(double x)

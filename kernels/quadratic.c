@@ -7,46 +7,35 @@
 #define PARAMETERS (double a, double b, double c, double *x0, double *x1)
 #define ARGUMENTS  (a, b, c, x0, x1)
 
-/** Whether nothing below can over- or underflow so as to matter; not for c = 0, not for
- *  infinities and NaN. */
-BRINK_INLINE int in_range(double a, double b, double c)
-{
-    return fabs(a) > 0x1p-240 && fabs(a) < 0x1p240 && fabs(b) < 0x1p240 &&
-           fabs(c) > 0x1p-240 && fabs(c) < 0x1p240;
-}
-
-/** b^2 - 4 a c.  The sign of `kahan` is exact, its error being at most 2u by Kahan's way;
- *  that of `value` is 1u where it is not far smaller than b^2. */
-typedef struct discriminant {
-    double kahan, value;
-} discriminant;
-
-BRINK_INLINE discriminant discriminant_of(double a, double b, double c)
-{
-    dd p = two_prod(b, b), q = two_prod(4 * a, c);
-    double high = fma(b, b, -q.hi);
-    dd t = two_sum(p.hi, -q.hi);
-    double lost = (t.hi - high) + (t.lo + p.lo); // of b^2 - q.hi in `high`
-    return (discriminant){high - q.lo, high + (lost - q.lo)};
-}
-
 BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
 {
     *x0 = x < y ? x : y;
-    *x1 = x < y ? y : x;
+    *x1 = y > x ? y : x;
 }
 
-/** In range.  sqrt(d) is off by 0.5u + 1u, the sum by 1u more; the quotient's rounding
- *  is half an ulp, and 2.5u are at most two and a half: 3 in all. */
+/**
+ * With h = -b / 2, exact, and d = h^2 - a c: roots s / a and c / s, where
+ * s = h + sign(h) sqrt(d).  The size h^2 + |a c| is to be in range: then nothing
+ * overflows, and what underflows is lost beside the rest.
+ *
+ * The error, with w = sqrt(d) / |s|: d's is halved by the root, which adds 1u, all times
+ * w; the sum adds 1u; the quotient half an ulp.
+ *   a c > 0: d = (h^2 - q.hi) - q.lo, off by 2u (Kahan), so its sign is right; w <= 1/2:
+ *            at most 2u before the quotient
+ *   a c < 0: d = (h^2 - q.lo) - q.hi, off by u (k^2 + 1) where k = |h| / sqrt(d) < 1, and
+ *            w = 1 / (1 + k): at most u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u before it
+ * and 2.5u are at most 2.5 ulp: 3 in all.
+ */
 BRINK_INLINE int roots_in_range PARAMETERS
 {
-    discriminant d = discriminant_of(a, b, c);
-    if (d.kahan < 0)
+    double h = -0.5 * b;
+    dd q = two_prod(a, c);
+    double first = q.hi > q.lo ? q.hi : q.lo, last = q.lo < q.hi ? q.lo : q.hi;
+    double d = fma(h, h, -first) - last;
+    if (d < 0)
         return 0;
-    // Where d is next to nothing beside b^2 its value may be off by all of itself, which
-    // is next to nothing beside b.
-    double q = -0.5 * (b + copysign(sqrt(fmax(d.value, 0)), b));
-    in_order(q / a, c / q, x0, x1);
+    double s = h + copysign(sqrt(d), h);
+    in_order(s / a, c / s, x0, x1);
     return 2;
 }
 
@@ -88,11 +77,11 @@ static __attribute__((noinline)) int roots_rescued PARAMETERS
     if (a == 0) {
         if (b == 0)
             return 0;
-        *x0 = 0 - c / b; // + 0 where c is 0
+        *x0 = -c / b;
         return 1;
     }
     if (c == 0) {
-        in_order(0 - b / a, 0, x0, x1);
+        in_order(-b / a, 0, x0, x1);
         return 2;
     }
     balanced e = balance(a, b, c);
@@ -111,7 +100,7 @@ static __attribute__((noinline)) int roots_rescued PARAMETERS
 
 BRINK_INLINE int brink_quadratic_roots_body PARAMETERS
 {
-    if (in_range(a, b, c))
+    if (bits_of(a) << 1 != 0 && is_moderate(fma(0.5 * b, 0.5 * b, fabs(a * c))))
         return roots_in_range(a, b, c, x0, x1);
     return roots_rescued(a, b, c, x0, x1);
 }
@@ -133,39 +122,33 @@ static __attribute__((noinline)) int roots_exact PARAMETERS // a is not 0
     return 2;
 }
 
-/** Whether x.hi + x.lo, off by 2^-78 of itself, has no midpoint of doubles about it. */
-BRINK_INLINE int is_told(dd x)
-{
-    double slack = 0x1p-78 * x.hi;
-    return x.hi + (x.lo + slack) == x.hi + (x.lo - slack);
-}
-
-/** In range.  2 or 0, or -1 where a root cannot be rounded with certainty. */
+/**
+ * The same with the low parts carried along.  2, 0, or -1 where a root cannot be rounded
+ * with certainty or the size is not in range.
+ *
+ * d is off by 5u^2 of its size, which is at most 2^20 d; s, to which the root's error
+ * comes at most once, by 2^-85; a root by 2^-84.
+ */
 BRINK_INLINE int roots_told PARAMETERS
 {
-    dd p = two_prod(b, b), q = two_prod(4 * a, c);
-    double kahan = fma(b, b, -q.hi) - q.lo; // its sign is exact
-    if (kahan < 0)
-        return 0;
-    dd t = two_sum(p.hi, -q.hi); // d to 5u^2 (b^2 + |4 a c|)
-    dd d = two_sum(t.hi, t.lo + (p.lo - q.lo));
-    if (!(d.hi > 0x1p-20 * (p.hi + fabs(q.hi))))
+    double h = -0.5 * b;
+    dd p = two_prod(h, h), q = two_prod(a, c), t = two_sum(p.hi, -q.hi);
+    double rest = t.lo + (p.lo - q.lo), d = t.hi + rest, size = p.hi + fabs(q.hi);
+    if (!is_moderate(size) || !is_moderate(fabs(a)) || !is_moderate(fabs(c)))
         return -1;
-    // |b| + sqrt(d), to 2^-83; its reciprocal serves both roots' low parts.
-    dd sum = dd_add_d(dd_sqrt(d), fabs(b));
-    double inverse = 1 / sum.hi, a2 = 2 * fabs(a), c2 = 2 * fabs(c);
-    dd x, y; // x = sum / a2, y = c2 / sum
-    x.hi = sum.hi / a2;
-    x.lo = (fma(-x.hi, a2, sum.hi) + sum.lo) * (x.hi * inverse);
-    y.hi = c2 * inverse;
-    y.lo = (fma(-y.hi, sum.hi, c2) - y.hi * sum.lo) * inverse;
-    x = fast_two_sum(x.hi, x.lo);
-    y = fast_two_sum(y.hi, y.lo);
-    if (!is_told(x) || !is_told(y))
+    if (!(d > 0x1p-20 * size)) // Kahan's d has the right sign
+        return fma(h, h, -q.hi) - q.lo < 0 ? 0 : -1;
+    double root = copysign(sqrt(d), h);
+    dd s = two_sum(h, root);
+    s.lo = fma(fma(-root, root, t.hi) + rest, 0.5 / root, s.lo);
+    double by_a = 1 / a,
+           by_s = 1 / s.hi; // good enough: the residuals put it right
+    double x = s.hi * by_a, y = c * by_s;
+    dd x_told = fast_two_sum(x, (fma(-x, a, s.hi) + s.lo) * by_a);
+    dd y_told = fast_two_sum(y, fma(-y, s.lo, fma(-y, s.hi, c)) * by_s);
+    if (!is_told(x_told) || !is_told(y_told))
         return -1;
-    double large = copysign(x.hi, -copysign(1, b) * a);
-    double small = copysign(y.hi, -copysign(1, b) * c);
-    in_order(large, small, x0, x1);
+    in_order(x_told.hi, y_told.hi, x0, x1);
     return 2;
 }
 
@@ -195,11 +178,9 @@ static __attribute__((noinline)) int roots_rescued_cr PARAMETERS
 
 BRINK_INLINE int brink_quadratic_roots_cr_body PARAMETERS
 {
-    if (in_range(a, b, c)) {
-        int count = roots_told(a, b, c, x0, x1);
-        if (count >= 0)
-            return count;
-    }
+    int count = roots_told(a, b, c, x0, x1);
+    if (count >= 0)
+        return count;
     return roots_rescued_cr(a, b, c, x0, x1);
 }
 

@@ -23,10 +23,9 @@ extern "C" {
  * Accuracy   the number of roots: exact for the doubles given.  Each root: at most
  *            BRINK_QUADRATIC_ULP, gradual underflow included; an infinity only where the
  *            root is beyond the range, 0 only where it is 0 or below 2^-1074
- * Special    a root that is 0 is +0
- * Method     discriminant by fma, with its low part, so that its sign is exact and its
- *            error 1 u; q = -(b + sign(b) sqrt(d)) / 2, roots q / a and c / q.  Exponents
- *            far from 0 are taken out first, by powers of two
+ * Method     discriminant h^2 - a c, h = -b/2, by fma, so that its sign is exact;
+ *            s = h + sign(h) sqrt(d), roots s / a and c / s.  Exponents far from 0 are
+ *            taken out first, by powers of two
  * Checked    tests/quadratic_test.c
  */
 int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1);
@@ -38,7 +37,8 @@ int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1);
  *            one root in a million certain; for that one the sign of the polynomial at the
  *            midpoint, in exact arithmetic
  */
-int brink_quadratic_roots_cr(double a, double b, double c, double *x0, double *x1);
+int brink_quadratic_roots_cr(double a, double b, double c, double *x0,
+                             double *x1);
 
 #ifdef __cplusplus
 }

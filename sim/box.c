@@ -25,26 +25,28 @@ static void read_periodic(brink_source *s, int dimensions, const brink_node *nod
                          "boxes have no walls yet: leave the key out");
 }
 
+static const brink_potential *like(const brink_scene *scene, int a)
+{
+    return brink_species_like(scene->potential, scene->species_count, a);
+}
+
 // Volume that the hard cores of all particles fill.
 static double core_volume(const brink_scene *scene)
 {
     double sum = 0;
     for (int a = 0; a < scene->species_count; a++)
         sum += scene->species[a].count *
-               brink_species_core_volume(
-                   &scene->potential[a * (scene->species_count + 1)],
-                   scene->dimensions);
+               brink_species_core_volume(like(scene, a), scene->dimensions);
     return sum;
 }
 
-// The part of space that the cores can fill at most.  What unequal ones can is not
-// known in general, but that it is not all.
+// The part of space that the cores can fill at most.  What unequal ones can is
+// not known in general, but that it is not all.
 static double densest(const brink_scene *scene)
 {
-    const int stride = scene->species_count + 1;
     for (int a = 1; a < scene->species_count; a++)
-        if (brink_species_core(&scene->potential[a * stride]) !=
-            brink_species_core(&scene->potential[0]))
+        if (brink_species_core(like(scene, a)) !=
+            brink_species_core(like(scene, 0)))
             return 1.0;
     return scene->dimensions == 3 ? DENSEST_3D : DENSEST_2D;
 }

@@ -32,16 +32,13 @@ void brink_kinetic_heat(brink_system *s, double temperature, gsl_rng *random)
             s->particle[i].v[a] =
                 gsl_ran_gaussian_ziggurat(random, sqrt(temperature / m));
     }
-    // The first pass is off by what the factor and the products round; the second
-    // measures that and takes it away.  What is left is the second's own, in units of
-    // 2^-53: the factor's quotient 1, halved by the root, and root 1, which count twice,
-    // 3; the velocities' 1, twice, 2; and before as after, in measuring, 1 a term, 1 in
-    // all and 1 for the quotient, 6.  With many particles the terms even out.
-    for (int pass = 0; pass < 2; pass++) {
-        if (s->count > 1)
-            stop_the_centre_of_mass(s);
-        scale(s, sqrt(temperature / brink_system_temperature(s)));
-    }
+    if (s->count > 1)
+        stop_the_centre_of_mass(s);
+    // In units of 2^-53 this is off by 1 for the factor's quotient, halved by the
+    // root, and 1 for the root, which count twice: 3; by 1 for each velocity,
+    // twice: 2; and by 1 a term, 1 in all and 1 for the quotient in measuring,
+    // before and after: 6.
+    scale(s, sqrt(temperature / brink_system_temperature(s)));
 }
 
 double brink_kinetic_year(const brink_system *s)

@@ -9,9 +9,9 @@
 #include <gsl/gsl_rng.h>
 
 /**
- * Draws velocities from Maxwell-Boltzmann, takes out the momentum (of two particles or
- * more) and scales: brink_system_temperature is then the temperature asked for, to a
- * relative error of at most BRINK_KINETIC_ERROR.
+ * Draws velocities from Maxwell-Boltzmann, takes out the momentum (of two
+ * particles or more) and scales: brink_system_temperature is then the temperature
+ * asked for, to a relative error of at most BRINK_KINETIC_ERROR.
  */
 #define BRINK_KINETIC_ERROR (11 * 0x1p-53)
 void brink_kinetic_heat(brink_system *s, double temperature, gsl_rng *random);

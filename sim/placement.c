@@ -47,7 +47,8 @@ static void order_by_core(const brink_system *s, int order[BRINK_SPECIES_MOST])
     double core[BRINK_SPECIES_MOST];
     for (int a = 0; a < s->species_count; a++) {
         int k = a;
-        core[a] = brink_species_core(&s->potential[a * s->species_count + a]);
+        core[a] = brink_species_core(
+            brink_species_like(s->potential, s->species_count, a));
         for (; k > 0 && core[order[k - 1]] < core[a]; k--)
             order[k] = order[k - 1];
         order[k] = a;
@@ -66,19 +67,20 @@ static void put_anywhere(brink_system *s, uint32_t i, gsl_rng *random)
 static int insert(brink_system *s, brink_crowd *crowd, gsl_rng *random,
                   double *packing)
 {
-    // This many trials are gone when equal cores fill about 0.34 of space or 0.52 of a
-    // plane (measured, 10^4 particles), near where random insertion jams for good: 0.384
-    // and 0.547 (Zhang, Torquato 2013).
+    // This many trials are gone when equal cores fill about 0.34 of space or 0.52
+    // of a plane (measured, 10^4 particles), near where random insertion jams for
+    // good: 0.384 and 0.547 (Zhang, Torquato 2013).
     uint64_t trials = 100000 + 200 * (uint64_t)s->count;
     uint32_t first[BRINK_SPECIES_MOST];
-    int order[BRINK_SPECIES_MOST];
+    int order[BRINK_SPECIES_MOST] = {0};
     first_of_each(s, first);
     order_by_core(s, order);
     *packing = 0;
     for (int k = 0; k < s->species_count; k++) {
         const uint32_t begin = first[order[k]];
         const double volume = brink_species_core_volume(
-            &s->potential[order[k] * (s->species_count + 1)], s->dimensions);
+            brink_species_like(s->potential, s->species_count, order[k]),
+            s->dimensions);
         for (uint32_t i = begin; i < begin + s->species[order[k]].count; i++) {
             do {
                 if (trials-- == 0)

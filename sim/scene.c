@@ -40,19 +40,13 @@ static void set_defaults(brink_scene *scene)
                            .checkpoint_every = 60.0};
 }
 
-static char *copy_text(const char *text)
-{
-    char *copy = malloc(strlen(text) + 1);
-    return copy ? strcpy(copy, text) : NULL;
-}
-
 static void read_title(brink_source *s, brink_scene *scene,
                        const brink_node *node)
 {
     const char *text = "";
     if (node)
         brink_value_text(s, node, "title", BRINK_TITLE_MOST, &text);
-    scene->title = copy_text(text);
+    scene->title = strdup(text);
 }
 
 static void read_lattice(brink_source *s, brink_scene *scene,

@@ -111,6 +111,8 @@ static void echo(brink_source *s, brink_mark at, const char *advice)
 void brink_complain(brink_source *s, brink_mark at, const char *format, ...)
 {
     char message[640]; // longer ones are cut: what they quote is bounded
+    if (++s->complaints > BRINK_COMPLAINTS_MOST)
+        return;
     va_list list;
     va_start(list, format);
     vsnprintf(message, sizeof message, format, list);
@@ -121,7 +123,9 @@ void brink_complain(brink_source *s, brink_mark at, const char *format, ...)
     fprintf(s->errors, "%s:%d:%d: error: %s\n", s->name, at.line, at.column,
             message);
     echo(s, at, advice ? advice : "");
-    s->complaints++;
+    if (s->complaints == BRINK_COMPLAINTS_MOST)
+        fprintf(s->errors, "%s: errors after the first %d are not listed\n",
+                s->name, BRINK_COMPLAINTS_MOST);
 }
 
 int brink_source_is_text(brink_source *s)

@@ -27,6 +27,8 @@ typedef struct brink_source {
     size_t begin;   // nearly in order, and none searches the text from its top
 } brink_source;
 
+#define BRINK_COMPLAINTS_MOST 1000 // those beyond are counted, and not written
+
 /** `size` bytes of text, which must stay in place as long as the source is used.
  */
 brink_source brink_source_of(const char *name, const char *text, size_t size,

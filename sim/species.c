@@ -55,7 +55,7 @@ static int read_one(brink_source *s, const brink_node *name,
     uint64_t count = 0;
     int good = is_name(name->text) && strlen(name->text) < sizeof species->name;
     if (good)
-        strcpy(species->name, name->text);
+        memcpy(species->name, name->text, strlen(name->text) + 1);
     else if (name->kind == BRINK_NODE_SCALAR)
         brink_complain(
             s, name->at,

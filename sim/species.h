@@ -23,6 +23,13 @@ int brink_species_read(brink_source *s, brink_scene *scene,
                        const brink_node *species, const brink_node *potentials);
 void brink_species_destroy(brink_scene *scene);
 
+/** The potential of species a with its like, in a table of `count` species. */
+static inline const brink_potential *
+brink_species_like(const brink_potential *table, int count, int a)
+{
+    return &table[(size_t)a * ((size_t)count + 1)];
+}
+
 /** Distance of a potential's hard core, 0 where it has none. */
 static inline double brink_species_core(const brink_potential *p)
 {

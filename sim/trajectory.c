@@ -223,7 +223,7 @@ static int name_of(const char *names, uint64_t id, char name[16])
         *colon = '\0';
         end += count;
         if (id < end) {
-            strcpy(name, word);
+            memcpy(name, word, strlen(word) + 1);
             return 0;
         }
     }
@@ -258,7 +258,7 @@ static int read_particle(reader *r, brink_frame *frame, uint32_t i)
         return complain(
             r, "a species' name is longer than 15 letters: ", word[r->species]);
     } else {
-        strcpy(frame->species[i], word[r->species]);
+        memcpy(frame->species[i], word[r->species], strlen(word[r->species]) + 1);
     }
     return 0;
 }

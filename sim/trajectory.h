@@ -2,13 +2,13 @@
 #ifndef BRINK_TRAJECTORY_H
 #define BRINK_TRAJECTORY_H
 /**
- * Extended XYZ, as OVITO, ASE and MDAnalysis all read it: quoted nine-number Lattice,
- * quoted pbc, Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1,
- * numbers as %.17g, LF, never nan or inf.
+ * Extended XYZ, as OVITO, ASE and MDAnalysis all read it: quoted nine-number
+ * Lattice, quoted pbc, numbers as %.17g, LF, never nan or inf, and
+ *     Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1
  *
- * ASE knows no species but elements: the column has the species' name where that is an
- * element's symbol, X otherwise.  The names themselves stand in the comment line, with
- * how many there are of each in the order of id: names="A:400 B:100".
+ * ASE knows no species but elements: the column has the species' name where that
+ * is an element's symbol, X otherwise.  The names themselves stand in the comment
+ * line, with how many there are of each in the order of id: names="A:400 B:100".
  */
 #include "system.h"
 #include <stdio.h>

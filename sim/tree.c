@@ -4,11 +4,12 @@
 #include <string.h>
 #include <yaml.h>
 
+// Maps and lists that go on, outermost first, and where the next child of each goes.
+// The first is no node of the file: what would be its only child is the file's root.
 struct builder {
     brink_source *source;
-    brink_node *root;
-    brink_node *open[BRINK_TREE_DEPTH];  // maps and lists that go on
-    brink_node **tail[BRINK_TREE_DEPTH]; // where their next child goes
+    brink_node *open[BRINK_TREE_DEPTH + 1];
+    brink_node **tail[BRINK_TREE_DEPTH + 1];
     int depth;
 };
 
@@ -36,13 +37,9 @@ static brink_node *add(struct builder *b, enum brink_node_kind kind,
     node->kind = kind;
     node->at = mark_of(mark);
     memcpy(node->text, text, length);
-    if (b->depth == 0) {
-        b->root = node;
-    } else {
-        *b->tail[b->depth - 1] = node;
-        b->tail[b->depth - 1] = &node->next;
-        b->open[b->depth - 1]->count++;
-    }
+    *b->tail[b->depth] = node;
+    b->tail[b->depth] = &node->next;
+    b->open[b->depth]->count++;
     return node;
 }
 
@@ -59,8 +56,9 @@ static int open_node(struct builder *b, enum brink_node_kind kind,
     brink_node *node = add(b, kind, mark, "", 0);
     if (!node)
         return 0;
+    b->depth++;
     b->open[b->depth] = node;
-    b->tail[b->depth++] = &node->first;
+    b->tail[b->depth] = &node->first;
     return 1;
 }
 
@@ -102,7 +100,7 @@ static int take(struct builder *b, const yaml_event_t *e)
 {
     switch (e->type) {
     case YAML_DOCUMENT_START_EVENT:
-        if (!b->root)
+        if (!b->open[0]->first)
             return 1;
         brink_complain(
             b->source, mark_of(e->start_mark),
@@ -163,7 +161,8 @@ static void complain_of_syntax(brink_source *source, const yaml_parser_t *p)
 
 brink_node *brink_tree_read(brink_source *source)
 {
-    struct builder b = {.source = source};
+    brink_node file = {.first = NULL};
+    struct builder b = {.source = source, .open = {&file}, .tail = {&file.first}};
     yaml_parser_t parser;
     if (!yaml_parser_initialize(&parser)) {
         complain_of_memory(source, (brink_mark){1, 1});
@@ -184,15 +183,15 @@ brink_node *brink_tree_read(brink_source *source)
         yaml_event_delete(&event);
     }
     yaml_parser_delete(&parser);
-    if (whole && !b.root)
+    if (whole && !file.first)
         brink_complain(source, (brink_mark){1, 1},
                        "there is nothing in this file\n"
                        "write a scene: box, species and potentials at the least");
     if (!whole) {
-        brink_tree_destroy(b.root);
-        b.root = NULL;
+        brink_tree_destroy(file.first);
+        file.first = NULL;
     }
-    return b.root;
+    return file.first;
 }
 
 void brink_tree_destroy(brink_node *node)

@@ -18,7 +18,8 @@ brink_shown brink_value_shown(const brink_node *node)
         from += n ? n : 1;
         left -= n ? n : 1;
     }
-    strcpy(shown.text + used, left ? "..." : "");
+    if (left > 0)
+        memcpy(shown.text + used, "...", 3); // what follows is 0 already
     return shown;
 }
 
@@ -270,9 +271,10 @@ static void complain_of_key(brink_source *s, const brink_node *key,
 {
     const char *names[16] = {NULL}; // no map of a scene has more keys
     char list[256] = "";
-    for (int k = 0; k < count; k++) {
+    for (int k = 0, used = 0; k < count; k++) {
         names[k] = keys[k].name;
-        strcat(strcat(list, k ? ", " : ""), keys[k].name);
+        used += snprintf(list + used, sizeof list - (size_t)used, "%s%s",
+                         k ? ", " : "", keys[k].name);
     }
     const char *meant = brink_value_meant(key->text, names, count);
     if (meant)

@@ -8,8 +8,8 @@
 
 #define INF ((double)INFINITY)
 
-// Two species, cores of 1 and 0.6 and 0.8 between them; the small ones are in a well
-// that reaches 2, which is no core.
+// Two species, cores of 1 and 0.6 and 0.8 between them; the small ones are in a
+// well that reaches 2, which is no core.
 static const brink_potential potentials[] = {
     {1, (const double[]){1}, (const double[]){INF}},
     {1, (const double[]){0.8}, (const double[]){INF}},
@@ -44,7 +44,7 @@ START_TEST(the_crowd_finds_an_overlap_just_where_there_is_one)
         double length[3];
         uint32_t count;
     } boxes[] = {{3, {9, 9, 9}, 60},  {3, {40, 4.5, 4.1}, 60},
-                 {3, {4, 4, 4}, 8},   {2, {12, 12, 1}, 40},
+                 {3, {4, 4, 4}, 12},  {2, {12, 12, 1}, 40},
                  {2, {90, 4, 1}, 40}, {3, {1e4, 4, 4}, 30}};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (unsigned seed = 0; seed < 600; seed++) {

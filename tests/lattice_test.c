@@ -34,8 +34,8 @@ static double nearest(const brink_sites *s)
     return least;
 }
 
-// The largest cell of proper shape of which enough go whole into the box: one of those
-// that just fit k times along an axis.
+// The largest cell of proper shape of which enough go whole into the box: one of
+// those that just fit k times along an axis.
 static double largest_cell(enum brink_lattice lattice, const double length[3],
                            uint64_t least)
 {

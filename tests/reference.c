@@ -111,7 +111,7 @@ static void look_at(reference *w, uint32_t i, uint32_t j)
  *  all are at rest. */
 static double horizon(const reference *w)
 {
-    double h = INFINITY;
+    double h = (double)INFINITY;
     for (uint32_t i = 0; i < w->system->count; i++)
         for (int k = 0; k < 3; k++) {
             double speed = fabs(mpfr_get_d(w->v[i][k], N));

@@ -10,9 +10,9 @@
 enum { BITS = 256, CROWD = 8 };
 
 static const brink_potential hard = {1, (const double[]){1},
-                                     (const double[]){INFINITY}};
+                                     (const double[]){(double)INFINITY}};
 static const brink_potential well = {2, (const double[]){2, 1},
-                                     (const double[]){-1, INFINITY}};
+                                     (const double[]){-1, (double)INFINITY}};
 
 typedef struct body {
     double x[3], v[3];
@@ -147,8 +147,9 @@ START_TEST(a_shoulder_is_climbed_by_what_has_more_than_its_height)
     // Radial energy exactly 1, as above.
     const double rise[] = {1, 1 - DBL_EPSILON / 2};
     for (int n = 0; n < 2; n++) {
-        const brink_potential shoulder = {2, (const double[]){2, 1},
-                                          (const double[]){rise[n], INFINITY}};
+        const brink_potential shoulder = {
+            2, (const double[]){2, 1},
+            (const double[]){rise[n], (double)INFINITY}};
         brink_system s;
         reference w;
         make(&s, 16, &shoulder, 2,

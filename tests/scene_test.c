@@ -137,6 +137,16 @@ START_TEST(a_packing_fraction_is_that_of_the_cores)
 }
 END_TEST
 
+START_TEST(unequal_cores_may_fill_more_than_equal_ones)
+{
+    outcome o =
+        parse("box: {packing_fraction: 0.76}\nspecies: {A: {count: 64, diameter: "
+              "1}, B: {count: 640, diameter: 0.1}}\n");
+    ck_assert_msg(o.complaints == 0, "%s", o.said);
+    forget(&o);
+}
+END_TEST
+
 START_TEST(unlike_pairs_are_mixed_unless_they_are_given)
 {
     brink_scene s = read_scene("mixture.yaml");
@@ -241,6 +251,7 @@ static const struct fault {
     {BOX SPECIES "temperature: 1e61\n", 3, 14, "nearer to 1"},
     {BOX SPECIES "temperature: 0\n", 3, 14, "must be more than 0"},
     {BOX SPECIES "temperature: -1\n", 3, 14, "must be more than 0"},
+    {BOX SPECIES "temperature: '1'\n", 3, 14, "take off the quotes"},
     {BOX SPECIES "temperature: 1,5\n", 3, 14, "the decimal sign is a point"},
     {BOX SPECIES "temperature: 1.5 kT\n", 3, 14, "without a unit"},
     {BOX SPECIES "temperature: 0x1p3\n", 3, 14, "in decimal"},
@@ -528,6 +539,26 @@ START_TEST(a_file_beyond_a_mebibyte_is_refused_unread)
 }
 END_TEST
 
+// 150 000 faults in one line: nothing in reading them takes time by the square.
+START_TEST(a_mebibyte_of_faults_is_listed_in_part)
+{
+    const int pieces = 150000;
+    char *text = malloc((size_t)pieces * 6 + 3);
+    char *end = text + sprintf(text, "{");
+    for (int k = 0; k < pieces; k++)
+        end += sprintf(end, "a: b, ");
+    strcpy(end, "}");
+    outcome o = parse(text);
+    int lines = 0;
+    for (const char *p = o.said; *p; p = strchr(p, '\n') + 1)
+        lines++;
+    ck_assert_int_ge(o.complaints, pieces);
+    ck_assert_int_eq(lines, 3 * BRINK_COMPLAINTS_MOST + 1);
+    forget(&o);
+    free(text);
+}
+END_TEST
+
 START_TEST(a_nul_byte_is_no_text)
 {
     static const char text[] = "title: a\0b\n" BOX SPECIES;
@@ -614,6 +645,7 @@ int main(void)
     tcase_add_test(good, what_is_left_out_gets_its_default);
     tcase_add_test(good, every_key_arrives_where_it_belongs);
     tcase_add_test(good, a_packing_fraction_is_that_of_the_cores);
+    tcase_add_test(good, unequal_cores_may_fill_more_than_equal_ones);
     tcase_add_test(good, unlike_pairs_are_mixed_unless_they_are_given);
     tcase_add_test(good, every_scene_of_the_house_is_good);
     tcase_add_test(good, windows_line_ends_and_a_byte_order_mark_are_text);
@@ -627,6 +659,7 @@ int main(void)
     tcase_add_test(bad, more_particles_than_memory_are_refused_with_the_bytes);
     tcase_add_test(bad, what_is_no_file_is_said_to_be_none);
     tcase_add_test(bad, a_file_beyond_a_mebibyte_is_refused_unread);
+    tcase_add_test(bad, a_mebibyte_of_faults_is_listed_in_part);
     tcase_add_test(bad, a_nul_byte_is_no_text);
     tcase_add_test(bad, no_beginning_of_a_scene_does_harm);
     tcase_add_loop_test(bad, no_mutation_of_a_scene_does_harm, 0, 4);

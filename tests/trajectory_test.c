@@ -267,7 +267,8 @@ START_TEST(no_beginning_of_a_file_does_harm)
     fclose(out);
     for (size_t length = 0; length < size; length++) {
         outcome o = read_text(text, length, 1);
-        // Whole but for its last digits or line end it may be; else it is refused.
+        // Whole but for its last digits or line end it may be; else it is
+        // refused.
         ck_assert_msg(o.status == (length == 0         ? 0
                                    : length < size - 1 ? -1
                                                        : 1),

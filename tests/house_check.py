@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The house: every room where it belongs, with all that belongs to it.
+
+usage: house_check.py SOURCE [CC]
+
+A room is a header and what shares its stem: code, test, fuzz target, proof.  A room may
+have annexes, parts too long for one file, which share its floor and its test; NAME_part.c
+needs no header and belongs to NAME.  Prints what is wrong, one fault a line; status 1.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+# Top to bottom, as in DESIGN; a room includes only what lies below it.  Annexes stand
+# in brackets behind their room.
+FLOORS = """
+    main
+    study
+    question findings (energy_plot)
+    trial words
+    conventional doubts session
+    report method checkpoint observe start (kinetic placement)
+    gnuplot snapshot
+    codec lattice crowd trajectory run (predict)
+    scene (box species mix value tree source number)
+    cells calendar states
+    system
+    clock sum
+    event_time impulse
+    step
+    overlap quadratic
+    root
+    dyadic
+    exact (path paths)
+"""
+
+ROOT = pathlib.Path(sys.argv[1])
+CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
+HEADER_ONLY = {"exact", "path", "paths", "sum"}
+LONGEST_LINE = 82
+faults = []
+
+
+def fault(where, what):
+    faults.append(f"{where}: {what}")
+
+
+def read_floors():
+    """Room and annex names -> (floor counted from the top, room)."""
+    places = {}
+    for floor, line in enumerate(FLOORS.strip().splitlines()):
+        for room, annexes in re.findall(r"(\w+)(?: \(([\w ]+)\))?", line):
+            for name in [room, *annexes.split()]:
+                places[name] = (floor, room)
+    return places
+
+
+PLACES = read_floors()
+
+
+def place_of(stem):
+    """Of a file: its own name's place, or that of the room it is a part of."""
+    if stem in PLACES:
+        return PLACES[stem]
+    whole = [room for room in PLACES if re.match(rf"{room}(s$|_)", stem)]
+    return PLACES[max(whole, key=len)] if whole else None
+
+
+def check_includes(path):
+    mine = place_of(path.stem)
+    if mine is None:
+        fault(path, "belongs to no room: give it a place in tests/house_check.py")
+        return
+    for include in re.findall(r'#include [<"](?:brink/)?(\w+)\.h[>"]', path.read_text()):
+        if include in PLACES and path.parent / f"{include}.h" != path:
+            theirs = PLACES[include]
+            if theirs[1] != mine[1] and theirs[0] <= mine[0]:
+                fault(path, f"includes {include}.h, which does not lie below it")
+
+
+def exists(folder, pattern):
+    return any((ROOT / folder).glob(pattern))
+
+
+def check_siblings(folder, stem, header, code):
+    _, room = PLACES[stem]
+    if not header and room != "main":
+        fault(f"{folder}/{stem}", "has no header")
+    if not code and stem not in HEADER_ONLY:
+        fault(f"{folder}/{stem}", "has no code")
+    if stem == room and not exists("tests", f"{stem}_test.*"):
+        fault(f"{folder}/{stem}", f"has no tests/{stem}_test")
+
+
+def check_rooms(folder):
+    files = [p for p in (ROOT / folder).glob("*.[ch]")]
+    stems = {p.stem for p in files}
+    for path in files:
+        check_includes(path)
+    for stem in stems & PLACES.keys():
+        has = {p.suffix for p in files if p.stem == stem}
+        check_siblings(folder, stem, ".h" in has, ".c" in has)
+
+
+def public_kernels():
+    """Rooms whose header is installed: all but those that CMake excludes."""
+    text = (ROOT / "kernels/CMakeLists.txt").read_text()
+    internal = re.search(r'EXCLUDE REGEX "/\(([\w|]+)\)', text)
+    hidden = set(internal.group(1).split("|")) if internal else set()
+    return {p.stem for p in (ROOT / "kernels").glob("*.h")} - hidden
+
+
+def check_readme():
+    """Its table has a row a public kernel, with the files that there are."""
+    rows = {}
+    for line in (ROOT / "README.md").read_text().splitlines():
+        cells = [c.strip() for c in line.strip("|").split("|")]
+        kernel = re.fullmatch(r"`(\w+)`", cells[0])
+        if kernel and len(cells) == 7:
+            rows[kernel.group(1)] = cells
+    public = public_kernels()
+    for kernel in sorted(public ^ rows.keys()):
+        fault("README.md", f"kernel {kernel} is in the table or in kernels/, not both")
+    for kernel in sorted(public & rows.keys()):
+        for column, pattern in ((4, "tests/{}_test.c"), (5, "fuzz/{}_fuzz.c"),
+                                (6, "proofs/{}.*")):
+            there = exists(".", pattern.format(kernel))
+            if there != ("`" in rows[kernel][column]):
+                fault("README.md", f"{kernel}: column {column + 1} is not as the tree")
+
+
+def check_fuzz_and_proofs():
+    for folder, pattern in (("fuzz", "{}_fuzz.c"), ("proofs", "{}.*")):
+        if exists(folder, "*"):
+            for kernel in sorted(public_kernels()):
+                if not exists(folder, pattern.format(kernel)):
+                    fault(f"kernels/{kernel}", f"has nothing in {folder}/")
+
+
+def check_fast_math_is_refused():
+    for path in sorted((ROOT / "kernels").glob("*.c")):
+        tried = subprocess.run(
+            [CC, "-std=c17", "-ffast-math", "-fsyntax-only", str(path)],
+            capture_output=True, text=True, check=False)
+        if tried.returncode == 0 or "do not compile it with -ffast-math" not in tried.stderr:
+            fault(path, "does not refuse -ffast-math")
+
+
+def check_lines():
+    for folder in ("kernels", "sim", "tests", "fuzz", "proofs"):
+        for path in sorted((ROOT / folder).rglob("*.[ch]")):
+            lines = path.read_text().splitlines()
+            if lines[0] != "// SPDX-License-Identifier: MIT":
+                fault(path, "does not begin with its licence")
+            for number, line in enumerate(lines, 1):
+                if len(line) > LONGEST_LINE:
+                    fault(f"{path}:{number}", f"is {len(line)} columns wide")
+
+
+check_rooms("kernels")
+check_rooms("sim")
+check_readme()
+check_fuzz_and_proofs()
+check_fast_math_is_refused()
+check_lines()
+print(*faults, sep="\n", end="\n" if faults else "")
+print(f"{len(faults)} faults")
+sys.exit(bool(faults))
