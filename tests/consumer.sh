@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # usage: consumer.sh SOURCE FOLDER CC ON|OFF
 # Installs the library alone, shared or static, to a fresh prefix in FOLDER and builds
-# tests/consumer against it, by find_package and by pkg-config; then every installed
-# header by itself.
+# tests/consumer against it, by find_package and by pkg-config; then the README's
+# example, which must print what the README says, and every installed header by itself.
 set -eu
 source=$1 folder=$2 cc=$3 shared=$4
 rm -rf "$folder"
@@ -32,6 +32,15 @@ export PKG_CONFIG_PATH
 "$cc" -std=c17 "$source/tests/consumer/consumer.c" -o "$folder/by-pkg-config" \
     $(pkg-config $static --cflags --libs brink)
 LD_LIBRARY_PATH=$library "$folder/by-pkg-config"
+
+echo "the README's example:"
+sed -n '/^```c$/,/^```$/p' "$source/README.md" | sed '/^```/d' >"$folder/example.c"
+sed -n '/^```text$/,/^```$/p' "$source/README.md" | sed '/^```/d' >"$folder/expected"
+# shellcheck disable=SC2046,SC2086
+"$cc" -std=c17 "$folder/example.c" -o "$folder/example" \
+    $(pkg-config $static --cflags --libs brink)
+LD_LIBRARY_PATH=$library "$folder/example" >"$folder/printed"
+diff "$folder/expected" "$folder/printed"
 
 echo "every header by itself, as C and as C++:"
 for header in "$prefix"/include/brink/*.h; do
