@@ -5,8 +5,7 @@
 #include <yaml.h>
 
 // Maps and lists that go on, outermost first, and where the next child of each
-// goes.  The first is no node of the file: what would be its only child is the
-// file's root.
+// goes.  The first is no node of the file: its only child is the file's root.
 struct builder {
     brink_source *source;
     brink_node *open[BRINK_TREE_DEPTH + 1];
@@ -38,7 +37,6 @@ static brink_node *add(struct builder *b, enum brink_node_kind kind,
     node->kind = kind;
     node->at = mark_of(mark);
     memcpy(node->text, text, length);
-    // NOLINTNEXTLINE(clang-analyzer-core.*): what is open has a tail
     *b->tail[b->depth] = node;
     b->tail[b->depth] = &node->next;
     b->open[b->depth]->count++;

@@ -62,7 +62,7 @@ static double largest_step(const brink_system *s)
         for (int k = 0; k < s->potential[p].count; k++)
             if (!isinf(s->potential[p].energy[k]))
                 largest = fmax(largest, fabs(s->potential[p].energy[k]));
-    return largest;
+    return largest > 0 ? largest : (double)INFINITY;
 }
 
 static void sample(const brink_run *run, FILE *samples, brink_trial *t)
