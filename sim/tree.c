@@ -37,6 +37,7 @@ static brink_node *add(struct builder *b, enum brink_node_kind kind,
     node->kind = kind;
     node->at = mark_of(mark);
     memcpy(node->text, text, length);
+    // NOLINTNEXTLINE(clang-analyzer-core.*): what is open has a tail
     *b->tail[b->depth] = node;
     b->tail[b->depth] = &node->next;
     b->open[b->depth]->count++;
