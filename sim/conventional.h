@@ -22,9 +22,10 @@ typedef struct brink_conventional {
     uint32_t still; // events running of the same pair at the same instant
 } brink_conventional;
 
-/** As brink_run_create: takes over the system.  0, -1 no memory. */
+/** As brink_run_create: takes over the system.  The rule, one of brink_method_rule or
+ *  another, must outlive it.  0, -1 no memory. */
 int brink_conventional_create(brink_conventional *c, brink_system *system,
-                              enum brink_method method);
+                              const brink_rule *rule);
 void brink_conventional_destroy(brink_conventional *c);
 
 /** Goes on until `events` events in all, unless it stops before: AT_REST, STUCK,

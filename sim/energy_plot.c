@@ -121,15 +121,16 @@ static void write_label(FILE *out, const curve *c)
 }
 
 // Each wider than those before it, and drawn before them: none is hidden by another.
+// Points of size 1 are some nine times as wide as lines of width 1.
 static void write_curve(FILE *out, const brink_case *c, const curve *of)
 {
     char file[200];
     const int line = (int)of->trial->method + 1;
+    const double width = 1.4 + 0.8 * line;
     brink_findings_file(c, of->trial->method, file, sizeof file);
     fprintf(out, ", \\\n    '%s' using 1:($3 > 0 ? $3 : NaN) with linespoints ",
             file);
-    fprintf(out, "lt %d lw %.1f ps %.2f, ", line, 1 + 1.2 * line,
-            0.25 + 0.08 * line);
+    fprintf(out, "lt %d lw %.1f pt 7 ps %.2f, ", line, width, width / 9);
     fprintf(
         out,
         "'' using 1:($3 > 0 ? NaN : 10**(%.2f)) with points lt %d pt 7 ps 0.3",

@@ -5,6 +5,7 @@
  * What the study found, put into words, tables and figures.  Every sentence
  * follows from the figures, so that none can be false.
  */
+#include "nudges.h"
 #include "report.h"
 #include "scene.h"
 #include "trial.h"
@@ -16,6 +17,10 @@ typedef struct brink_case { // a scene of the study, and what became of it
     brink_scene scene;
     uint64_t events; // asked for
     brink_trial trial[BRINK_METHODS];
+    uint64_t nudge_events; // for which other nudges were tried
+    double nudge_off[BRINK_METHODS]
+                    [BRINK_NUDGES]; // see brink_nudge_try; of those that
+                                    // do not nudge: nothing
 } brink_case;
 
 /** One scene: figure, outcomes, inconsistencies, events. */

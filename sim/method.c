@@ -15,6 +15,16 @@ void brink_separation_now(const brink_run *run, uint32_t i, uint32_t j,
         r[a] -= s->length[a] * rint(r[a] / s->length[a]);
 }
 
+double brink_largest_step(const brink_system *s)
+{
+    double largest = 0;
+    for (int p = 0; p < s->species_count * s->species_count; p++)
+        for (int k = 0; k < s->potential[p].count; k++)
+            if (!isinf(s->potential[p].energy[k]))
+                largest = fmax(largest, fabs(s->potential[p].energy[k]));
+    return largest > 0 ? largest : (double)INFINITY;
+}
+
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -48,8 +48,8 @@ static const char fairness[] =
     "constant found by trial, here %s of the distance for a position, and for "
     "a time %s of what the pair takes to fly it. Much less and rounding has "
     "its way again; much more and the pair flies past what a third particle "
-    "would have done to it. Such constants depend on the system, and a run "
-    "that went well does not vouch for the next.";
+    "would have done to it, as tables below show. Such constants depend on "
+    "the system, and a run that went well does not vouch for the next.";
 
 // The potential of [S16] figure 1 and its events; beside it the shoulder.
 static const char sketch[] =

@@ -26,7 +26,8 @@ static int create(subject *s, brink_system *start, enum brink_method method)
     memset(s, 0, sizeof *s);
     if (method != BRINK_METHOD_LOGICAL) {
         s->seen = &s->conventional.house;
-        return brink_conventional_create(&s->conventional, start, method);
+        return brink_conventional_create(&s->conventional, start,
+                                         brink_method_rule(method));
     }
     s->seen = &s->run;
     if (brink_doubts_create(&s->doubts, start->count))
@@ -53,16 +54,6 @@ static enum brink_run_status advance(subject *s, uint64_t events)
             brink_doubts_look(&s->doubts, &s->run);
     }
     return status;
-}
-
-static double largest_step(const brink_system *s)
-{
-    double largest = 0;
-    for (int p = 0; p < s->species_count * s->species_count; p++)
-        for (int k = 0; k < s->potential[p].count; k++)
-            if (!isinf(s->potential[p].energy[k]))
-                largest = fmax(largest, fabs(s->potential[p].energy[k]));
-    return largest > 0 ? largest : (double)INFINITY;
 }
 
 static void sample(const brink_run *run, FILE *samples, brink_trial *t)
@@ -107,7 +98,7 @@ void brink_trial_run(brink_system *start, enum brink_method method,
     memset(t, 0, sizeof *t);
     t->method = method;
     t->particles = start->count;
-    t->epsilon = largest_step(start);
+    t->epsilon = brink_largest_step(start);
     if (create(&s, start, method)) {
         t->outcome = BRINK_OUTCOME_NO_MEMORY;
         brink_system_destroy(start);
