@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tree.h"
-#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -127,9 +126,7 @@ static int take(struct builder *b, const yaml_event_t *e)
         return open_node(b, BRINK_NODE_MAP, e->start_mark);
     case YAML_SEQUENCE_END_EVENT:
     case YAML_MAPPING_END_EVENT:
-        assert(b->depth > 0); // libyaml's events nest
-        b->depth--;
-        return 1;
+        return b->depth-- > 0; // as it always is: libyaml's events nest
     case YAML_STREAM_END_EVENT:
         return 0;
     default:
