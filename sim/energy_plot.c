@@ -46,21 +46,20 @@ static double assign_lanes(curve *curves)
     return lane - BELOW_TEXT;
 }
 
-static int by_end(const void *a, const void *b)
-{
-    const curve *const *x = a, *const *y = b;
-    return ((*x)->end > (*y)->end) - ((*x)->end < (*y)->end);
-}
-
 // Labels of one column, from the lowest up: none nearer to the next than a line.
 static void spread_labels(curve *curves, int stopped)
 {
     curve *column[BRINK_METHODS];
     int count = 0;
-    for (int k = 0; k < BRINK_METHODS; k++)
-        if (curves[k].stopped == stopped)
-            column[count++] = &curves[k];
-    qsort(column, (size_t)count, sizeof *column, by_end);
+    for (int k = 0; k < BRINK_METHODS; k++) {
+        int at = count;
+        if (curves[k].stopped != stopped)
+            continue;
+        for (; at > 0 && column[at - 1]->end > curves[k].end; at--)
+            column[at] = column[at - 1];
+        column[at] = &curves[k];
+        count++;
+    }
     for (int k = 0; k < count; k++) {
         const double least = k > 0 ? column[k - 1]->label + TEXT : -HUGE_VAL;
         column[k]->label = fmax(column[k]->end, least);
@@ -121,17 +120,20 @@ static void write_label(FILE *out, const curve *c)
             method + 1);
 }
 
+// Each wider than those before it, and drawn before them: none is hidden by another.
 static void write_curve(FILE *out, const brink_case *c, const curve *of)
 {
     char file[200];
     const int line = (int)of->trial->method + 1;
     brink_findings_file(c, of->trial->method, file, sizeof file);
+    fprintf(out, ", \\\n    '%s' using 1:($3 > 0 ? $3 : NaN) with linespoints ",
+            file);
+    fprintf(out, "lt %d lw %.1f ps %.2f, ", line, 1 + 1.2 * line,
+            0.25 + 0.08 * line);
     fprintf(
         out,
-        ", \\\n    '%s' using 1:($3 > 0 ? $3 : NaN) with linespoints lt %d ps "
-        "0.35, "
         "'' using 1:($3 > 0 ? NaN : 10**(%.2f)) with points lt %d pt 7 ps 0.3",
-        file, line, of->lane, line);
+        of->lane, line);
 }
 
 char *brink_energy_plot(const brink_case *c)
@@ -156,7 +158,7 @@ char *brink_energy_plot(const brink_case *c)
     for (int k = 0; k < BRINK_METHODS; k++)
         write_label(out, &curves[k]);
     fputs("plot NaN", out); // there may be no curve at all
-    for (int k = 0; k < BRINK_METHODS; k++)
+    for (int k = BRINK_METHODS - 1; k >= 0; k--)
         if (curves[k].trial->events > 0)
             write_curve(out, c, &curves[k]);
     fputs("\n", out);

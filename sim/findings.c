@@ -17,10 +17,11 @@ void brink_findings_file(const brink_case *c, enum brink_method method,
 static const char figure_caption[] =
     "How far the energy is off, against the number of events done; both "
     "scales are logarithmic. The energy is taken from the positions, for all "
-    "ways alike. A cross marks where a way was stopped, because time stood "
-    "still (the same pair had over a thousand events at one instant) or the "
-    "energy was off by more than |ε| a particle. Points in the shaded band "
-    "have no error at all.";
+    "ways alike. Points in the shaded band have no error at all; curves that "
+    "lie on one another are drawn the wider the deeper they lie. A cross "
+    "marks where a way was stopped, because time stood still (the same pair "
+    "had over a thousand events at one instant) or the energy was off by more "
+    "than |ε| a particle.";
 
 static const char outcomes_caption[] =
     "What became of each. The error is relative to the energy at the start. "
@@ -43,12 +44,16 @@ static const char counting[] =
 
 static const char comparison[] =
     "[S16] gives %s an event for this potential, with 32 000 particles and "
-    "3.2 × 10⁸ events, and does not say what was counted. Of the three, "
-    "within counting errors, %s agrees with that%s";
+    "3.2 × 10⁸ events, and does not say what was counted. (A) is %s times and "
+    "(B) %s times as frequent as that%s";
 
-static const char too_short[] =
-    ". (C) was not seen at all; a run of this size is too short to tell "
-    "something so rare from what never happens.";
+static const char later_unseen[] =
+    "; (C), which was not seen at all, agrees with it, but a run of this size "
+    "is too short to tell something so rare from what never happens.";
+
+static const char later_agrees[] = "; (C) agrees with it within counting errors.";
+
+static const char later_differs[] = "; nor does (C) agree with it.";
 
 brink_words brink_findings_outcome(const brink_trial *t)
 {
@@ -271,14 +276,15 @@ static void tell_paper(brink_report *r, const brink_case *c)
     const double paper = paper_says(&c->scene);
     const double events = paper * (double)d->events;
     const double looks = paper * (double)d->looks_later;
-    if (paper == 0)
+    if (events == 0)
         return;
-    const char *which = agrees(d->before, events)  ? "(A)"
-                        : agrees(d->after, events) ? "(B)"
-                        : agrees(d->later, looks)  ? "(C)"
-                                                   : "none";
-    brink_report_paragraph(r, comparison, brink_words_scientific(paper).text,
-                           which, d->later == 0 && looks < 3 ? too_short : ".");
+    const char *later = d->later == 0 && looks < 3 ? later_unseen
+                        : agrees(d->later, looks)  ? later_agrees
+                                                   : later_differs;
+    brink_report_paragraph(
+        r, comparison, brink_words_scientific(paper).text,
+        brink_words_scientific((double)d->before / events).text,
+        brink_words_scientific((double)d->after / events).text, later);
 }
 
 void brink_findings_tell(brink_report *r, const brink_case *c)

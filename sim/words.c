@@ -31,10 +31,13 @@ brink_words brink_words_scientific(double x)
         return w;
     }
     *exponent++ = '\0';
-    const int power = atoi(exponent), size = abs(power);
-    int at =
-        snprintf(w.text, sizeof w.text, "%s × 10%s", plain, power < 0 ? "⁻" : "");
-    for (int unit = size >= 100 ? 100 : size >= 10 ? 10 : 1; unit > 0; unit /= 10)
+    const long power = strtol(exponent, NULL, 10), size = labs(power);
+    int at = snprintf(w.text, sizeof w.text, "%s\u00a0×\u00a010%s", plain,
+                      power < 0 ? "⁻" : "");
+    for (long unit = size >= 100  ? 100
+                     : size >= 10 ? 10
+                                  : 1;
+         unit > 0; unit /= 10)
         at += snprintf(w.text + at, sizeof w.text - (size_t)at, "%s",
                        raised[size / unit % 10]);
     return w;

@@ -77,7 +77,7 @@ static int by_size(const void *a, const void *b)
 static double find_labels(const brink_case *c, double at[BRINK_METHODS])
 {
     char *script = brink_energy_plot(c);
-    const double bottom = atof(strstr(script, "set yrange [10**(") + 17);
+    const double bottom = strtod(strstr(script, "set yrange [10**(") + 17, NULL);
     int found = 0;
     for (const char *line = script; line != NULL; line = strchr(line, '\n')) {
         line += *line == '\n';
@@ -86,7 +86,7 @@ static double find_labels(const brink_case *c, double at[BRINK_METHODS])
             strstr(line, "''") == strchr(line, '\''))
             continue;
         ck_assert_int_lt(found, BRINK_METHODS);
-        at[found++] = atof(where + 5);
+        at[found++] = strtod(where + 5, NULL);
     }
     ck_assert_int_eq(found, BRINK_METHODS);
     qsort(at, BRINK_METHODS, sizeof *at, by_size);

@@ -51,8 +51,8 @@ START_TEST(some_failed)
     ends(&c, BRINK_METHOD_STORED, BRINK_OUTCOME_ENERGY_OFF, 900);
     ends(&c, BRINK_METHOD_PRINTED, BRINK_OUTCOME_NONE, 0);
     says(&c, "With logical states the run did all 5" NARROW
-             "000 events, and at every sample point its energy was within 2.2 × "
-             "10⁻¹⁶ of "
+             "000 events, and at every sample point its energy was within "
+             "2.2\u00a0×\u00a010⁻¹⁶ of "
              "what it was at the start. From the same start 3 of the 5 other "
              "ways failed: "
              "state from position (stood still after 1" NARROW

@@ -19,18 +19,22 @@ END_TEST
 
 START_TEST(powers_of_ten_are_raised)
 {
-    ck_assert_str_eq(brink_words_scientific(1.4e-7).text, "1.4 × 10⁻⁷");
-    ck_assert_str_eq(brink_words_scientific(-2.5e120).text, "-2.5 × 10¹²⁰");
-    ck_assert_str_eq(brink_words_scientific(3).text, "3.0 × 10⁰");
-    ck_assert_str_eq(brink_words_scientific(0x1p-1074).text, "4.9 × 10⁻³²⁴");
+    ck_assert_str_eq(brink_words_scientific(1.4e-7).text, "1.4\u00a0×\u00a010⁻⁷");
+    ck_assert_str_eq(brink_words_scientific(-2.5e120).text,
+                     "-2.5\u00a0×\u00a010¹²⁰");
+    ck_assert_str_eq(brink_words_scientific(3).text, "3.0\u00a0×\u00a010⁰");
+    ck_assert_str_eq(brink_words_scientific(0x1p-1074).text,
+                     "4.9\u00a0×\u00a010⁻³²⁴");
 }
 END_TEST
 
 START_TEST(a_mantissa_that_rounds_to_ten_is_carried)
 {
-    ck_assert_str_eq(brink_words_scientific(9.96e-8).text, "1.0 × 10⁻⁷");
-    ck_assert_str_eq(brink_words_scientific(9.94e-8).text, "9.9 × 10⁻⁸");
-    ck_assert_str_eq(brink_words_scientific(1e-10).text, "1.0 × 10⁻¹⁰");
+    ck_assert_str_eq(brink_words_scientific(9.96e-8).text,
+                     "1.0\u00a0×\u00a010⁻⁷");
+    ck_assert_str_eq(brink_words_scientific(9.94e-8).text,
+                     "9.9\u00a0×\u00a010⁻⁸");
+    ck_assert_str_eq(brink_words_scientific(1e-10).text, "1.0\u00a0×\u00a010⁻¹⁰");
 }
 END_TEST
 
@@ -45,7 +49,8 @@ START_TEST(a_frequency_has_its_counting_error_or_a_bound)
 {
     ck_assert_str_eq(brink_words_frequency(400, 1000).text, "0.4000 ± 0.0200");
     // -ln 0.05 / 1000 = 0.0029957
-    ck_assert_str_eq(brink_words_frequency(0, 1000).text, "< 3.0 × 10⁻³");
+    ck_assert_str_eq(brink_words_frequency(0, 1000).text,
+                     "< 3.0\u00a0×\u00a010⁻³");
     ck_assert_str_eq(brink_words_frequency(0, 0).text, "–");
 }
 END_TEST
