@@ -2,22 +2,53 @@
 #ifndef BRINK_OVERLAP_H
 #define BRINK_OVERLAP_H
 /**
- * Inside or outside, coming or going: the overlap functions of [S16] and their
- * rates.
+ * Inside or outside, coming or going: the overlap functions of [S16] and their rates.
  *
- * A pair's separation r, relative velocity v and the sphere's radius sigma; or a
- * particle's position r, a plane through c with normal n pointing to the valid
- * side. Lengths and times in any consistent units.  All inputs are finite, of any
- * magnitude.
+ * The ball's      f = r.r - sigma^2, negative inside [S16 eq. 1], half its rate r.v [eq. 2],
+ *                 for the separation r and relative velocity v of a pair;
+ * the half-space's f = n.(r - c), rate n.v [eq. 4], for a particle at r and a plane through
+ *                 c whose normal n, of any length, points to the valid side.
+ * Functions with _at take r + v t for r: where free flight leads.
+ *
+ * Domain     finite inputs of any magnitude, t of either sign
+ * Accuracy   signs are exact for the doubles given; values are within BRINK_OVERLAP_ULP of
+ *            exact, under- and overflow included
+ * Method     double-double with a bound; what lies within the bound of 0, or has lost too
+ *            many digits to cancellation, in exact arithmetic
+ * Checked    tests/overlap_test.c
  */
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Bound of the values' error in ulp. */
+#define BRINK_OVERLAP_ULP 1
+
 double brink_ball_overlap(const double r[3], double sigma);
+int brink_ball_overlap_sign(const double r[3], double sigma); // -1, 0, 1
 double brink_ball_overlap_rate(const double r[3], const double v[3]);
-int brink_ball_overlap_sign(const double r[3], double sigma);
 int brink_ball_overlap_rate_sign(const double r[3], const double v[3]);
+
+double brink_ball_overlap_at(const double r[3], const double v[3], double sigma,
+                             double t);
+int brink_ball_overlap_sign_at(const double r[3], const double v[3], double sigma,
+                               double t);
+double brink_ball_overlap_rate_at(const double r[3], const double v[3], double t);
+int brink_ball_overlap_rate_sign_at(const double r[3], const double v[3],
+                                    double t);
+
+double brink_halfspace_overlap(const double r[3], const double n[3],
+                               const double c[3]);
+int brink_halfspace_overlap_sign(const double r[3], const double n[3],
+                                 const double c[3]);
+double brink_halfspace_overlap_rate(const double v[3], const double n[3]);
+int brink_halfspace_overlap_rate_sign(const double v[3], const double n[3]);
+
+double brink_halfspace_overlap_at(const double r[3], const double v[3],
+                                  const double n[3], const double c[3], double t);
+int brink_halfspace_overlap_sign_at(const double r[3], const double v[3],
+                                    const double n[3], const double c[3],
+                                    double t);
 
 #ifdef __cplusplus
 }

@@ -95,8 +95,8 @@ static int count_through(const brink_case *c)
     return count;
 }
 
-// "a, b and c": the conventional methods that came through; or those that did not, each
-// with what became of it.
+// "a, b and c": the conventional methods that came through; or those that did
+// not, each with what became of it.
 static void list_methods(FILE *out, const brink_case *c, int through, int count)
 {
     int listed = 0;

@@ -26,7 +26,8 @@ typedef struct brink_case { // a scene of the study, and what became of it
 /** One scene: figure, outcomes, inconsistencies, events. */
 void brink_findings_tell(brink_report *r, const brink_case *c);
 
-/** The two sentences that say what one sees in it, to be freed; NULL: no memory. */
+/** The two sentences that say what one sees in it, to be freed; NULL: no
+ *  memory. */
 char *brink_findings_sentences(const brink_case *c);
 
 /** What became of a trial, as a verb phrase: "stood still after 1 006 events". */

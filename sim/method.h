@@ -21,15 +21,16 @@ enum brink_method {
 };
 
 /**
- * How far events are moved, in parts of the step's distance (for a time: of what the
- * pair takes to fly it).  Such values are found by trial: large against the rounding of
- * a separation and small against everything else.  1e-10 is what etomica moves each
- * particle by [S16 ref. 9]; 1e-12 to 1e-10 are usual for times.
+ * How far events are moved, in parts of the step's distance (for a time: of what
+ * the pair takes to fly it).  Such values are found by trial: large against the
+ * rounding of a separation and small against everything else.  1e-10 is what
+ * etomica moves each particle by [S16 ref. 9]; 1e-12 to 1e-10 are usual for
+ * times.
  *
- * Tried here, 40 000 events of 1372 square wells or shoulders: at 1e-14 and less the
- * energy is off, by some 1e-3 to 1e-1 of itself; from 1e-6 on single events are missed,
- * at 1e-6 one.  A miss being as likely as the nudge is long, 1e-10 has one in some
- * 10^8 events.
+ * Tried here, 40 000 events of 1372 square wells or shoulders: at 1e-14 and less
+ * the energy is off, by some 1e-3 to 1e-1 of itself; from 1e-6 on single events
+ * are missed, at 1e-6 one.  A miss being as likely as the nudge is long, 1e-10
+ * has one in some 10^8 events.
  */
 #define BRINK_PLACE_NUDGE 1e-10
 #define BRINK_TIME_NUDGE  1e-11

@@ -77,6 +77,7 @@ static int insert(brink_system *s, brink_crowd *crowd, gsl_rng *random,
     order_by_core(s, order);
     *packing = 0;
     for (int k = 0; k < s->species_count; k++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.*): order has species_count entries
         const uint32_t begin = first[order[k]];
         const double volume = brink_species_core_volume(
             brink_species_like(s->potential, s->species_count, order[k]),

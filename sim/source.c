@@ -39,7 +39,7 @@ size_t brink_character(const char *s, size_t left)
                                          : 0;
     if (n == 0 || n > left)
         return 0;
-    uint32_t c = n == 1 ? head : head & (0x7fu >> n);
+    uint32_t c = n == 1 ? head : head & (0x7fU >> n);
     for (size_t k = 1; k < n; k++) {
         const uint32_t tail = (unsigned char)s[k];
         if (tail >> 6 != 2)

@@ -4,8 +4,8 @@
 #include <string.h>
 #include <yaml.h>
 
-// Maps and lists that go on, outermost first, and where the next child of each goes.
-// The first is no node of the file: what would be its only child is the file's root.
+// Maps and lists that go on, outermost first, and where the next child of each
+// goes.  The first is no node of the file: its only child is the file's root.
 struct builder {
     brink_source *source;
     brink_node *open[BRINK_TREE_DEPTH + 1];
@@ -126,8 +126,7 @@ static int take(struct builder *b, const yaml_event_t *e)
         return open_node(b, BRINK_NODE_MAP, e->start_mark);
     case YAML_SEQUENCE_END_EVENT:
     case YAML_MAPPING_END_EVENT:
-        b->depth--;
-        return 1;
+        return b->depth-- > 0; // as it always is: libyaml's events nest
     case YAML_STREAM_END_EVENT:
         return 0;
     default:

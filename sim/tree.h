@@ -31,5 +31,5 @@ typedef struct brink_node {
 /** The tree of a text that brink_source_is_text; NULL, with a complaint, where
  * there is none.  The tree is the caller's: brink_tree_destroy. */
 brink_node *brink_tree_read(brink_source *source);
-void brink_tree_destroy(brink_node *root);
+void brink_tree_destroy(brink_node *node);
 #endif

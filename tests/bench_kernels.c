@@ -18,7 +18,10 @@
 #include <string.h>
 #include <time.h>
 
-enum { INPUTS = 8192, ROUNDS = 120 };
+enum { INPUTS = 8192 };
+
+/** Seconds a line may take: enough for some moments in which nobody else disturbs. */
+static const double PATIENCE = 0.4;
 
 static pair_case pairs[INPUTS];
 static quadratic_case quadratics[INPUTS];
@@ -46,15 +49,16 @@ typedef struct subject {
 static void go_through(const subject *k)
 {
     double sum = 0, x0 = 0, x1 = 0;
+    int count = 0; // apart from the sum: a conversion costs more than a sign
     if (k->time)
         for (int i = 0; i < INPUTS; i++)
             sum += k->time(pairs[i].r, pairs[i].v, pairs[i].sigma);
     if (k->sign)
         for (int i = 0; i < INPUTS; i++)
-            sum += k->sign(pairs[i].r, pairs[i].sigma);
+            count += k->sign(pairs[i].r, pairs[i].sigma);
     if (k->rate)
         for (int i = 0; i < INPUTS; i++)
-            sum += k->rate(pairs[i].r, pairs[i].v);
+            count += k->rate(pairs[i].r, pairs[i].v);
     if (k->roots)
         for (int i = 0; i < INPUTS; i++) {
             sum += k->roots(quadratics[i].a, quadratics[i].b, quadratics[i].c,
@@ -64,7 +68,7 @@ static void go_through(const subject *k)
     if (k->times)
         k->times(INPUTS, soa[0], soa[1], soa[2], soa[3], soa[4], soa[5], soa[6],
                  soa[7]);
-    sink = sum;
+    sink = sum + count;
 }
 
 static double seconds(const subject *k)
@@ -81,9 +85,11 @@ static void compare(const char *kernel, const char *family, const subject *k,
                     const subject *baseline, double at_most)
 {
     double best = (double)INFINITY, base = (double)INFINITY;
-    for (int i = 0; i < ROUNDS; i++) {
-        base = fmin(base, seconds(baseline));
-        best = fmin(best, seconds(k));
+    for (double spent = 0; spent < PATIENCE;) {
+        double a = seconds(baseline), b = seconds(k);
+        base = fmin(base, a);
+        best = fmin(best, b);
+        spent += a + b;
     }
     double ratio = best / base;
     printf("%-22s %-12s %7.2f ns %7.2f ns %6.2f %6.2f%s\n", kernel, family,

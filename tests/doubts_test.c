@@ -7,8 +7,8 @@
 #include <mpfr.h>
 #include <stdlib.h>
 
-// Whether |r| < distance, in 300 bits: squares of doubles of one size, and their sums,
-// are exact.
+// Whether |r| < distance, in 300 bits: squares of doubles of one size, and their
+// sums, are exact.
 static int is_inside(const double r[3], double distance)
 {
     mpfr_t sum, square;
@@ -38,7 +38,8 @@ static int level_shown(const brink_run *run, uint32_t i, uint32_t j, int *overla
     return level;
 }
 
-// The naive reference: pairs that have met and had no event since are kept in a list.
+// The naive reference: pairs that have met and had no event since are kept in a
+// list.
 typedef struct pair {
     uint32_t i, j;
 } pair;
@@ -136,7 +137,8 @@ START_TEST(a_transfer_is_in_doubt_on_just_one_side_a_bounce_on_both_or_none)
 }
 END_TEST
 
-// Books that say the opposite of what the positions show, for the time of one look.
+// Books that say the opposite of what the positions show, for the time of one
+// look.
 START_TEST(a_state_that_is_wrong_at_the_next_event_is_counted)
 {
     brink_run run;

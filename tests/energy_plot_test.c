@@ -104,7 +104,8 @@ START_TEST(labels_lie_in_the_plot_and_not_on_one_another)
         double at[BRINK_METHODS];
         ck_assert_double_lt(find_labels(&c, at), at[0]);
         for (int m = 1; m < BRINK_METHODS; m++)
-            // A line of 14 px text in a plot of some 420 px for 21 decades is 0.7 high.
+            // A line of 14 px text in a plot of some 420 px for 21 decades is 0.7
+            // high.
             ck_assert_double_ge(at[m] - at[m - 1], 0.7);
         ck_assert_double_le(at[BRINK_METHODS - 1], 1);
     }

@@ -46,6 +46,7 @@ static double largest_cell(enum brink_lattice lattice, const double length[3],
             double sites = lattices[lattice].sites;
             for (int b = 0; b < lattices[lattice].dimensions; b++)
                 sites *= fmax(
+                    // NOLINTNEXTLINE(clang-analyzer-core.*): b < 3
                     1, floor(length[b] / (size * lattices[lattice].proper[b]) *
                              (1 + 0x1p-50))); // k itself goes k times
             if (sites >= (double)least)

@@ -98,8 +98,8 @@ START_TEST(a_folder_that_cannot_be_made_is_refused)
 }
 END_TEST
 
-// A folder where the samples of one trial should go: that one cannot be done, and the
-// page says so beside the others.
+// A folder where the samples of one trial should go: that one cannot be done, and
+// the page says so beside the others.
 START_TEST(a_trial_that_cannot_be_done_is_reported_not_swallowed)
 {
     const char *folder = new_folder();

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "cases.h"
+#include "oracle.h"
+#include "pairs.h"
+#include "suite.h"
+#include <brink/overlap.h>
+
+enum { CASES_A_FAMILY = 2000, SEED = 1 };
+
+/** A pair, a plane to go with it, and a time. */
+typedef struct scene {
+    pair_case p, plane; // the plane's normal is plane.v, a point of it plane.r
+    double t;
+} scene;
+
+/** One quantity both ways: the value, its sign, and what is right. */
+typedef struct quantity {
+    const char *name;
+    double (*value)(const scene *);
+    int (*sign)(const scene *);
+    void (*exact)(mpfr_t f, const scene *);
+} quantity;
+
+static const double zero[3] = {0, 0, 0};
+
+static void exact_ball(mpfr_t f, const scene *s, double t)
+{
+    mpfr_t x;
+    mpfr_init2(x, ORACLE_BITS);
+    mpfr_set_zero(f, 1);
+    for (int i = 0; i < 3; i++) {
+        mpfr_set_d(x, s->p.r[i], ORACLE_N);
+        oracle_add(x, 1, s->p.v[i], t);
+        mpfr_sqr(x, x, ORACLE_N);
+        mpfr_add(f, f, x, ORACLE_N);
+    }
+    oracle_add(f, -1, s->p.sigma, s->p.sigma);
+    mpfr_clear(x);
+}
+
+/** n.(r + v t - c) */
+static void exact_plane(mpfr_t f, const double n[3], const double r[3],
+                        const double v[3], const double c[3], double t)
+{
+    mpfr_t x;
+    mpfr_init2(x, ORACLE_BITS);
+    mpfr_set_zero(f, 1);
+    for (int i = 0; i < 3; i++) {
+        mpfr_set_d(x, r[i], ORACLE_N);
+        oracle_add(x, 1, v[i], t);
+        mpfr_sub_d(x, x, c[i], ORACLE_N);
+        mpfr_mul_d(x, x, n[i], ORACLE_N);
+        mpfr_add(f, f, x, ORACLE_N);
+    }
+    mpfr_clear(x);
+}
+
+#define QUANTITY(name, value_call, sign_call, exact_call)                        \
+    static double name##_value(const scene *s)                                   \
+    {                                                                            \
+        return value_call;                                                       \
+    }                                                                            \
+    static int name##_sign(const scene *s)                                       \
+    {                                                                            \
+        return sign_call;                                                        \
+    }                                                                            \
+    static void name##_exact(mpfr_t f, const scene *s)                           \
+    {                                                                            \
+        exact_call;                                                              \
+    }
+
+#define R     s->p.r
+#define V     s->p.v
+#define SIGMA s->p.sigma
+#define N     s->plane.v
+#define C     s->plane.r
+#define T     s->t
+
+QUANTITY(ball, brink_ball_overlap(R, SIGMA), brink_ball_overlap_sign(R, SIGMA),
+         exact_ball(f, s, 0))
+QUANTITY(ball_rate, brink_ball_overlap_rate(R, V),
+         brink_ball_overlap_rate_sign(R, V), exact_plane(f, V, R, zero, zero, 0))
+QUANTITY(ball_at, brink_ball_overlap_at(R, V, SIGMA, T),
+         brink_ball_overlap_sign_at(R, V, SIGMA, T), exact_ball(f, s, T))
+QUANTITY(ball_rate_at, brink_ball_overlap_rate_at(R, V, T),
+         brink_ball_overlap_rate_sign_at(R, V, T),
+         exact_plane(f, V, R, V, zero, T))
+QUANTITY(halfspace, brink_halfspace_overlap(R, N, C),
+         brink_halfspace_overlap_sign(R, N, C), exact_plane(f, N, R, zero, C, 0))
+QUANTITY(halfspace_rate, brink_halfspace_overlap_rate(V, N),
+         brink_halfspace_overlap_rate_sign(V, N),
+         exact_plane(f, N, V, zero, zero, 0))
+QUANTITY(halfspace_at, brink_halfspace_overlap_at(R, V, N, C, T),
+         brink_halfspace_overlap_sign_at(R, V, N, C, T),
+         exact_plane(f, N, R, V, C, T))
+
+#define QUANTITY_OF(name)                                                        \
+    {                                                                            \
+#name, name##_value, name##_sign, name##_exact                           \
+    }
+
+static const quantity quantities[] = {
+    QUANTITY_OF(ball),         QUANTITY_OF(ball_rate),
+    QUANTITY_OF(ball_at),      QUANTITY_OF(ball_rate_at),
+    QUANTITY_OF(halfspace),    QUANTITY_OF(halfspace_rate),
+    QUANTITY_OF(halfspace_at),
+};
+
+static void keep(const char *family, int i, const scene *s)
+{
+    mpfr_t exact;
+    mpfr_init2(exact, ORACLE_BITS);
+    for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++) {
+        const quantity *q = &quantities[k];
+        q->exact(exact, s);
+        double value = q->value(s);
+        int sign = q->sign(s),
+            right = (mpfr_sgn(exact) > 0) - (mpfr_sgn(exact) < 0);
+        if (sign != right || oracle_ulps(value, exact) > BRINK_OVERLAP_ULP)
+            ck_abort_msg(
+                "%s, %s %d (seed %d):\nr %a %a %a  v %a %a %a  sigma %a  t %a\n"
+                "n %a %a %a  c %a %a %a\ngot %a and %d, exact %a and %d",
+                q->name, family, i, SEED, R[0], R[1], R[2], V[0], V[1], V[2],
+                SIGMA, T, N[0], N[1], N[2], C[0], C[1], C[2], value, sign,
+                mpfr_get_d(exact, ORACLE_N), right);
+    }
+    mpfr_clear(exact);
+}
+
+/** A time at which something may be the matter: near the event, or any. */
+static double time_of(stream *random, const pair_case *p)
+{
+    oracle_path q;
+    double t;
+    oracle_path_make(&q, p->r, p->v, p->sigma);
+    if (mpfr_sgn(q.d) >= 0) // a root; where there is none, the closest approach
+        mpfr_sqrt(q.d, q.d, ORACLE_N);
+    else
+        mpfr_set_zero(q.d, 1);
+    mpfr_add(q.b, q.b, q.d, ORACLE_N);
+    mpfr_div(q.b, q.b, q.a, ORACLE_N);
+    t = -mpfr_get_d(q.b, ORACLE_N);
+    oracle_path_clear(&q);
+    if (!isfinite(t) || stream_int(random, 0, 3) == 0)
+        return stream_scaled(random, -1080, 1024);
+    return stream_near(random, t, 1);
+}
+
+START_TEST(signs_are_exact_and_values_within_the_bound)
+{
+    for (int f = 0; f < PAIR_FAMILIES; f++) {
+        stream random = {SEED};
+        scene s;
+        for (int i = 0; i < CASES_A_FAMILY; i++) {
+            pair_families[f].make(&random, &s.p);
+            pair_families[f].make(&random, &s.plane);
+            s.t = time_of(&random, &s.p);
+            keep(pair_families[f].name, i, &s);
+        }
+    }
+}
+END_TEST
+
+START_TEST(hard_cases_are_right)
+{
+    FILE *in = cases_open("overlap");
+    double x[14];
+    for (int i = 0; cases_next(in, 14, x); i++) {
+        scene s;
+        memcpy(&s.p, x, sizeof s.p);
+        memcpy(s.plane.v, x + 7, sizeof s.plane.v);
+        memcpy(s.plane.r, x + 10, sizeof s.plane.r);
+        s.t = x[13];
+        keep("overlap.wc", i, &s);
+    }
+    fclose(in);
+}
+END_TEST
+
+START_TEST(perpendicular_is_neither_coming_nor_going)
+{
+    stream random = {SEED};
+    for (int i = 0; i < 10000;
+         i++) { // r x (r x v), in whole numbers: exactly perpendicular
+        double a = stream_int(&random, -30000, 30000),
+               b = stream_int(&random, -30000, 30000);
+        const double r[3] = {a, b, a * b}, v[3] = {b, -a, 0};
+        ck_assert_int_eq(brink_ball_overlap_rate_sign(r, v), 0);
+        ck_assert_double_eq(brink_ball_overlap_rate(r, v), 0);
+    }
+}
+END_TEST
+
+START_TEST(touching_is_zero)
+{
+    const double r[3] = {3, 4, 12};
+    for (int e = -1070; e < 1020; e++) {
+        const double s[3] = {ldexp(r[0], e), ldexp(r[1], e), ldexp(r[2], e)};
+        ck_assert_int_eq(brink_ball_overlap_sign(s, ldexp(13, e)), 0);
+        double outside = nextafter(ldexp(13, e), 0);
+        ck_assert_int_eq(brink_ball_overlap_sign(s, outside), 1);
+        double inside = nextafter(ldexp(13, e), (double)INFINITY);
+        ck_assert_int_eq(brink_ball_overlap_sign(s, inside), -1);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("overlap", 600, signs_are_exact_and_values_within_the_bound,
+                     hard_cases_are_right,
+                     perpendicular_is_neither_coming_nor_going, touching_is_zero);
+}
