@@ -10,7 +10,8 @@ static void make_conventional(brink_conventional *c, const char *scene,
 {
     brink_system system;
     make_system(&system, scene);
-    ck_assert_int_eq(brink_conventional_create(c, &system, method), 0);
+    ck_assert_int_eq(
+        brink_conventional_create(c, &system, brink_method_rule(method)), 0);
 }
 
 // The control: with logical states this loop must do what the run does, event by

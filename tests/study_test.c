@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "conventional_method.h"
 #include "folder.h"
-#include "method.h"
 #include "study.h"
 #include "suite.h"
 #include <string.h>
@@ -36,7 +36,7 @@ START_TEST(a_tiny_study_leaves_a_page_and_samples_of_every_method)
         const char *name = brink_method_rule((enum brink_method)k)->name;
         char file[200] = "tiny-";
         for (size_t n = 0; n <= strlen(name); n++)
-            file[5 + n] = name[n] == ' ' ? '-' : name[n];
+            file[5 + n] = (char)(name[n] == ' ' ? '-' : name[n]);
         strcat(file, ".dat");
         char *samples = whole_file(folder, file);
         ck_assert_ptr_nonnull(strstr(samples, name));
