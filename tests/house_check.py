@@ -19,7 +19,7 @@ FLOORS = """
     main
     study
     question findings (energy_plot)
-    trial words
+    trial nudges words
     conventional doubts session
     report method checkpoint observe start (kinetic placement)
     gnuplot snapshot

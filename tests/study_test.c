@@ -113,7 +113,7 @@ START_TEST(a_trial_that_cannot_be_done_is_reported_not_swallowed)
 }
 END_TEST
 
-// A second of the processor for each process, and more to do than that: the workers
+// A second of the processor for each process, and more to do than that: workers
 // that would come through are ended by a signal.
 START_TEST(a_worker_that_is_killed_is_reported_not_swallowed)
 {
