@@ -9,7 +9,7 @@
  * method's rule at three places.  What one sees is due to the rule alone. Nothing
  * but the study and its tests comes here.
  */
-#include "method.h"
+#include "conventional_method.h"
 
 /** So many events running, of one pair and at one instant, and time stands still:
  * a pair that is alive needs two or three to get away from a step. */

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study.h"
-#include "findings.h"
-#include "question.h"
 #include "session.h"
 #include "start.h"
-#include "words.h"
+#include "study_findings.h"
+#include "study_question.h"
+#include "study_words.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>

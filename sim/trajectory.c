@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "trajectory.h"
-#include "number.h"
+#include "scene_number.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>

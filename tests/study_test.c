@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "conventional_method.h"
 #include "folder.h"
-#include "method.h"
 #include "study.h"
 #include "suite.h"
 #include <string.h>
