@@ -21,7 +21,8 @@ double brink_nudge_size(int k);
  *
  * Returns   how far the energy is off at the end, in parts of the largest finite
  *           step: where all steps are equal a whole number, to within rounding,
- *           one for each state told wrongly and not made good by another; +inf if time stood still before; NaN if memory was out
+ *           one for each state told wrongly and not made good by another;
+ *           +inf if time stood still before; NaN if memory was out
  */
 double brink_nudge_try(brink_system *start, enum brink_method method,
                        double nudge, uint64_t events);
