@@ -22,7 +22,7 @@ typedef struct brink_conventional {
     uint32_t still; // events running of the same pair at the same instant
 } brink_conventional;
 
-/** As brink_run_create: takes over the system.  The rule, one of brink_method_rule or
+/** As brink_run_create: takes over the system.  The rule, brink_method_rule's or
  *  another, must outlive it.  0, -1 no memory. */
 int brink_conventional_create(brink_conventional *c, brink_system *system,
                               const brink_rule *rule);

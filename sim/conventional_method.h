@@ -68,8 +68,8 @@ const brink_rule *brink_method_rule(enum brink_method method);
 void brink_separation_now(const brink_run *run, uint32_t i, uint32_t j,
                           double r[3]);
 
-/** The largest |energy| of a finite step, over all potentials: what one state told
- *  wrongly can cost; +inf where there is none. */
+/** The largest |energy| of a finite step, over all potentials: what it costs to
+ *  tell a state wrongly; +inf where there is none. */
 double brink_largest_step(const brink_system *system);
 
 /** The level that position shows, no pair being ever inside a hard core. */

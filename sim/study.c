@@ -76,7 +76,7 @@ static int try_nudges(const brink_case *c, enum brink_method method,
     return 0;
 }
 
-// In the worker: 0 if the trial came to an end of whatever kind and is written down.
+// In the worker: 0 if the trial came to an end, of whatever kind, and is on file.
 static int work(const study *s, int job, FILE *samples)
 {
     const brink_case *c = case_of(s, job);

@@ -2,8 +2,8 @@
 #ifndef BRINK_STUDY_NUDGES_H
 #define BRINK_STUDY_NUDGES_H
 /**
- * How much a nudging method depends on how much it nudges: the same start with nudges
- * from far too small to far too large.
+ * How much a nudging method depends on how much it nudges: the same start with
+ * nudges from far too small to far too large.
  */
 #include "conventional_method.h"
 
@@ -16,11 +16,13 @@ int brink_nudge_is_used(enum brink_method method);
 double brink_nudge_size(int k);
 
 /**
- * Runs a start, which is taken over, for so many events by a method whose nudge is
- * replaced.  Returns how far the energy is off at the end, in parts of the potential's
- * largest finite step: to within rounding a whole number, one for each state that was
- * told wrongly and not made good again by another; +inf if time stood still before; NaN
- * if memory was out.
+ * Runs a start, which is taken over, for so many events by a method with another
+ * nudge.
+ *
+ * Returns   how far the energy is off at the end, in parts of the largest finite
+ *           step: where all steps are equal a whole number, to within rounding,
+ *           one for each state told wrongly and not made good by another;
+ *           +inf if time stood still before; NaN if memory was out
  */
 double brink_nudge_try(brink_system *start, enum brink_method method,
                        double nudge, uint64_t events);

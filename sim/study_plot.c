@@ -120,7 +120,7 @@ static void write_label(FILE *out, const curve *c)
             method + 1);
 }
 
-// Each wider than those before it, and drawn before them: none is hidden by another.
+// Each wider than those before it, and drawn before them: none hides another.
 // Points of size 1 are some nine times as wide as lines of width 1.
 static void write_curve(FILE *out, const brink_case *c, const curve *of)
 {

@@ -31,8 +31,7 @@ typedef struct brink_trial {
     double energy_end;
     double energy_error; // of that, >= 0; relative unless the energy was 0
     double energy_worst; // of all samples
-    double
-        epsilon; // the largest |energy| of a finite step; +inf where there is none
+    double epsilon;      // the largest |energy| of a finite step, or +inf
     brink_tally tally;
     brink_happening last; // the event at which it ended
     brink_doubts doubts;  // BRINK_METHOD_LOGICAL alone; without its table

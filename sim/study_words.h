@@ -14,7 +14,7 @@ typedef struct brink_words {
 /** 686000 as 686 000, with narrow spaces that do not break. */
 brink_words brink_words_grouped(uint64_t n);
 
-/** 1.4e-7 as 1.4 × 10⁻⁷, with spaces that do not break; 0, inf and nan as they are. */
+/** 1.4e-7 as 1.4 × 10⁻⁷, its spaces unbreakable; 0, inf, nan as they are. */
 brink_words brink_words_scientific(double x);
 
 /** A frequency with its counting (Poisson) error; where none were seen, the bound

@@ -72,8 +72,8 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-// Where the labels stand, in decades from the lowest up, and where the plot ends below;
-// read from the script.
+// Where the labels stand, in decades from the lowest up; and where the plot ends
+// below.  Read from the script.
 static double find_labels(const brink_case *c, double at[BRINK_METHODS])
 {
     char *script = brink_energy_plot(c);

@@ -51,7 +51,7 @@ START_TEST(logical_states_do_their_events_and_are_watched)
 }
 END_TEST
 
-// 256 particles: the energy is off by 256 before a pair has had 1000 events at once.
+// 256 particles: energy is off by 256 before a pair has had 1000 events at once.
 START_TEST(every_way_to_fail_is_told)
 {
     static const struct {
