@@ -79,7 +79,7 @@ static void write_frame(FILE *out, uint64_t events, double bottom)
     fprintf(
         out,
         "set xlabel 'events'\nset ylabel 'relative energy error' offset 1,0\n");
-    fprintf(out, "set lmargin 10\nset rmargin 20\nunset key\n");
+    fprintf(out, "set lmargin 13\nset rmargin 20\nunset key\n");
     fprintf(out, "set xtics scale 1,0 ('1' 1");
     for (uint64_t decade = 10; decade <= events && decade < UINT64_MAX / 10;
          decade *= 10)
