@@ -2,12 +2,10 @@
 // Where the fast paths were not certain: the domain, scaling by powers of two,
 // double- double, and exact numbers for the rest.  The answers are correctly
 // rounded.
-#include "path.h"
 #include "paths.h"
-#include "root.h"
 
-#define PARAMETERS (const double r[3], const double v[3], double sigma)
-#define ARGUMENTS  (r, v, sigma)
+#include "path.h"
+#include "root.h"
 
 static int in_domain(const double r[3], const double v[3], double sigma)
 {
@@ -38,7 +36,8 @@ static void exact_path_make(exact_path *p, const double r[3], const double v[3],
     brink_dyadic_sub(&p->d, &bb, &ac);
 }
 
-static double intersection_exact PARAMETERS
+static double intersection_exact(const double r[3], const double v[3],
+                                 double sigma)
 {
     exact_path p;
     exact_path_make(&p, r, v, sigma);
@@ -51,7 +50,7 @@ static double intersection_exact PARAMETERS
     return brink_dyadic_root(&p.a, &p.b, &p.c, &p.d, BRINK_LOWER);
 }
 
-static double disjoint_exact PARAMETERS
+static double disjoint_exact(const double r[3], const double v[3], double sigma)
 {
     exact_path p;
     exact_path_make(&p, r, v, sigma);
@@ -156,7 +155,8 @@ static double error_of_sum(const fine_path *f, dd sum)
     return 0x1p-102 * (f->s / f->d.hi + f->p / sum.hi + 2);
 }
 
-BRINK_INLINE double brink_intersection_time_slow_body PARAMETERS
+double brink_intersection_time_slow(const double r[3], const double v[3],
+                                    double sigma)
 {
     if (!in_domain(r, v, sigma))
         return (double)NAN;
@@ -177,7 +177,8 @@ BRINK_INLINE double brink_intersection_time_slow_body PARAMETERS
     return intersection_exact(r, v, sigma);
 }
 
-BRINK_INLINE double brink_disjoint_time_slow_body PARAMETERS
+double brink_disjoint_time_slow(const double r[3], const double v[3],
+                                double sigma)
 {
     if (!in_domain(r, v, sigma))
         return (double)NAN;
@@ -203,6 +204,3 @@ BRINK_INLINE double brink_disjoint_time_slow_body PARAMETERS
     }
     return t > 0 ? t : disjoint_exact(r, v, sigma);
 }
-
-BRINK_SCALAR_PATHS(double, brink_intersection_time_slow, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(double, brink_disjoint_time_slow, PARAMETERS, ARGUMENTS)

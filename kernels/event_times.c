@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "paths.h"
+
 #include "event_time.h"
 
 #define BATCH(name, kernel)                                                      \

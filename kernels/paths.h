@@ -2,65 +2,33 @@
 #ifndef BRINK_PATHS_H
 #define BRINK_PATHS_H
 /**
- * One body compiled for several instruction sets, the best one taken at run time;
+ * The same source compiled for several instruction sets, the best one taken at run time;
  * not installed.
  *
- * NAME_body is always inlined.  BRINK_SCALAR_PATHS makes of it NAME_any, for what
- * the compiler was told to build for, and NAME_fma; BRINK_BATCH_PATHS NAME_avx512
- * too. Tests call these by name.  NAME itself looks at the processor: a load, a
- * test and a predicted branch.  fma() is exact whether hardware or libm does it
- * and nothing else is contracted, so all of them give the same bits.
- *
- * The look is at a word that the compiler's run-time library fills in before
- * main.  An ifunc would save the test, but its resolver runs before a sanitizer
- * is ready, and not every C library has it.
+ * A file that includes this first is compiled once more for each path, with BRINK_PATH
+ * defined to `any`, `fma` (AVX2 and FMA) or `avx512`; its functions, those listed below,
+ * then are brink_NAME_PATH, and dispatch.c holds brink_NAME.  Without BRINK_PATH it is
+ * compiled once, under the names it is written with.  fma() is exact whether hardware
+ * or libm does it and nothing else is contracted, so every path gives the same bits.
  */
-#if defined __x86_64__ && defined __GNUC__ && !defined __FMA__
-#define BRINK_HAS_PATHS 1
-#define BRINK_HAS_FMA                                                            \
-    (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-#define BRINK_HAS_AVX512                                                         \
-    (BRINK_HAS_FMA && __builtin_cpu_supports("avx512f") &&                       \
-     __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+#ifdef BRINK_PATH
+#define BRINK_GLUE_(name, path) name##_##path
+#define BRINK_GLUE(name, path)  BRINK_GLUE_(name, path)
+#define BRINK_ON_PATH(name)     BRINK_GLUE(name, BRINK_PATH)
 
-#define BRINK_PATH(isa, path, result, name, parameters, arguments)               \
-    result name##path parameters;                                                \
-    __attribute__((target(isa))) result name##path parameters                    \
-    {                                                                            \
-        return name##_body arguments;                                            \
-    }
-
-#define BRINK_SCALAR_PATHS(result, name, parameters, arguments)                  \
-    BRINK_PATH("sse2", _any, result, name, parameters, arguments)                \
-    BRINK_PATH("avx2,fma", _fma, result, name, parameters, arguments)            \
-    result name parameters                                                       \
-    {                                                                            \
-        return BRINK_HAS_FMA ? name##_fma arguments : name##_any arguments;      \
-    }
-
-#define BRINK_BATCH_PATHS(name, parameters, arguments)                           \
-    BRINK_PATH("sse2", _any, void, name, parameters, arguments)                  \
-    BRINK_PATH("avx2,fma", _fma, void, name, parameters, arguments)              \
-    BRINK_PATH("avx2,fma,avx512f,avx512dq,avx512vl", _avx512, void, name,        \
-               parameters, arguments)                                            \
-    void name parameters                                                         \
-    {                                                                            \
-        if (BRINK_HAS_AVX512)                                                    \
-            name##_avx512 arguments;                                             \
-        else if (BRINK_HAS_FMA)                                                  \
-            name##_fma arguments;                                                \
-        else                                                                     \
-            name##_any arguments;                                                \
-    }
-
-#else // one path: the machine has fma() throughout, or no other set is known here
-
-#define BRINK_SCALAR_PATHS(result, name, parameters, arguments)                  \
-    result name parameters                                                       \
-    {                                                                            \
-        return name##_body arguments;                                            \
-    }
-#define BRINK_BATCH_PATHS(name, parameters, arguments)                           \
-    BRINK_SCALAR_PATHS(void, name, parameters, arguments)
+#define brink_quadratic_roots         BRINK_ON_PATH(brink_quadratic_roots)
+#define brink_quadratic_roots_cr      BRINK_ON_PATH(brink_quadratic_roots_cr)
+#define brink_intersection_time       BRINK_ON_PATH(brink_intersection_time)
+#define brink_intersection_time_fast  BRINK_ON_PATH(brink_intersection_time_fast)
+#define brink_intersection_time_cr    BRINK_ON_PATH(brink_intersection_time_cr)
+#define brink_intersection_time_slow  BRINK_ON_PATH(brink_intersection_time_slow)
+#define brink_disjoint_time           BRINK_ON_PATH(brink_disjoint_time)
+#define brink_disjoint_time_fast      BRINK_ON_PATH(brink_disjoint_time_fast)
+#define brink_disjoint_time_cr        BRINK_ON_PATH(brink_disjoint_time_cr)
+#define brink_disjoint_time_slow      BRINK_ON_PATH(brink_disjoint_time_slow)
+#define brink_intersection_times      BRINK_ON_PATH(brink_intersection_times)
+#define brink_intersection_times_fast BRINK_ON_PATH(brink_intersection_times_fast)
+#define brink_disjoint_times          BRINK_ON_PATH(brink_disjoint_times)
+#define brink_disjoint_times_fast     BRINK_ON_PATH(brink_disjoint_times_fast)
 #endif
 #endif

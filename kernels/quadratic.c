@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // u = 2^-53; error bounds are relative and to first order.
-#include "quadratic.h"
 #include "paths.h"
-#include "root.h"
 
-#define PARAMETERS (double a, double b, double c, double *x0, double *x1)
-#define ARGUMENTS  (a, b, c, x0, x1)
+#include "quadratic.h"
+#include "root.h"
 
 BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
 {
@@ -26,7 +24,8 @@ BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
  *            w = 1 / (1 + k): at most u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u before it
  * and 2.5u are at most 2.5 ulp: 3 in all.
  */
-BRINK_INLINE int roots_in_range PARAMETERS
+BRINK_INLINE int roots_in_range(double a, double b, double c, double *x0,
+                                double *x1)
 {
     double h = -0.5 * b;
     dd q = two_prod(a, c);
@@ -70,7 +69,8 @@ static balanced balance(double a, double b, double c) // a, c not 0
     return e;
 }
 
-static __attribute__((noinline)) int roots_rescued PARAMETERS
+static __attribute__((noinline)) int roots_rescued(double a, double b, double c,
+                                                   double *x0, double *x1)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return -1;
@@ -98,14 +98,15 @@ static __attribute__((noinline)) int roots_rescued PARAMETERS
     return count;
 }
 
-BRINK_INLINE int brink_quadratic_roots_body PARAMETERS
+int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1)
 {
     if (bits_of(a) << 1 != 0 && is_moderate(fma(0.5 * b, 0.5 * b, fabs(a * c))))
         return roots_in_range(a, b, c, x0, x1);
     return roots_rescued(a, b, c, x0, x1);
 }
 
-static __attribute__((noinline)) int roots_exact PARAMETERS // a is not 0
+static __attribute__((noinline)) int
+roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
 {
     const double two = 2;
     brink_dyadic a2, b1, c2, bb, ac, d; // 2a x^2 + 2 b x + 2c
@@ -129,7 +130,7 @@ static __attribute__((noinline)) int roots_exact PARAMETERS // a is not 0
  * d is off by 5u^2 of its size, which is at most 2^20 d; s, to which the root's error
  * comes at most once, by 2^-85; a root by 2^-84.
  */
-BRINK_INLINE int roots_told PARAMETERS
+BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)
 {
     double h = -0.5 * b;
     dd p = two_prod(h, h), q = two_prod(a, c), t = two_sum(p.hi, -q.hi);
@@ -152,7 +153,8 @@ BRINK_INLINE int roots_told PARAMETERS
     return 2;
 }
 
-static __attribute__((noinline)) int roots_rescued_cr PARAMETERS
+static __attribute__((noinline)) int
+roots_rescued_cr(double a, double b, double c, double *x0, double *x1)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return -1;
@@ -176,13 +178,10 @@ static __attribute__((noinline)) int roots_rescued_cr PARAMETERS
     return roots_exact(a, b, c, x0, x1);
 }
 
-BRINK_INLINE int brink_quadratic_roots_cr_body PARAMETERS
+int brink_quadratic_roots_cr(double a, double b, double c, double *x0, double *x1)
 {
     int count = roots_told(a, b, c, x0, x1);
     if (count >= 0)
         return count;
     return roots_rescued_cr(a, b, c, x0, x1);
 }
-
-BRINK_SCALAR_PATHS(int, brink_quadratic_roots, PARAMETERS, ARGUMENTS)
-BRINK_SCALAR_PATHS(int, brink_quadratic_roots_cr, PARAMETERS, ARGUMENTS)
