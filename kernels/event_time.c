@@ -4,7 +4,7 @@
 #include "paths.h"
 
 #include "event_time.h"
-#include "path.h"
+#include "lanes.h"
 
 // --- Plain ---------------------------------------------------------------------------
 
@@ -17,7 +17,8 @@ double brink_intersection_time(const double r[3], const double v[3], double sigm
         if (is_negative(b)) {
             if (passes_by(chord_of(r, v, sigma)))
                 return (double)INFINITY;
-            double t = meeting_time(r, v, sigma);
+            sums m = sums_in_lanes(r, v, sigma);
+            double t = meeting_time(&m, dot_of(v, v));
             if (t >= 0)
                 return t;
         }
@@ -29,13 +30,14 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
 {
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
-        if (is_far_outside(r, sigma)) {
-            if (is_positive(b))
-                return 0;
-            if (is_negative(b) && passes_by(chord_of(r, v, sigma)))
-                return approach_time(r, v);
-        }
-        double t = parting_time(r, v, sigma, b);
+        int outside = is_far_outside(r, sigma);
+        if (outside && is_positive(b))
+            return 0;
+        sums m = sums_in_lanes(r, v, sigma);
+        double a = dot_rounded(v, v);
+        if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma)))
+            return approach_time(&m, a);
+        double t = parting_time(&m, a, b);
         if (t >= 0)
             return t;
     }
@@ -48,22 +50,13 @@ double brink_intersection_time_fast(const double r[3], const double v[3],
                                     double sigma)
 {
     double b = dot_rounded(r, v);
-    int in_range = sigma_in_range(sigma);
-    if (b > 0x1p-900 && b < 0x1p1000 && in_range)
-        return (double)INFINITY;
-    if (b < -0x1p-900 && in_range) {
+    if (sigma_in_range(sigma)) {
+        if (is_in_range(b))
+            return (double)INFINITY;
         double c = dot_rounded(r, r) - sigma * sigma;
-        chord k = chord_of(r, v, sigma);
-        if (k.a > 0x1p-900 && k.s < 0x1p1000 && c < 0x1p1000) {
-            if (c <= 0)
-                return 0;
-            if (k.d <= 0)
-                return (double)INFINITY;
-            // On the rim c and d are nothing but their errors, which need not agree:
-            // the pair is there no later than at its closest approach.
-            double sum = sqrt(k.d) - b;
-            return k.a * c <= -b * sum ? c / sum : -b / k.a;
-        }
+        double t = meeting_time_fast(b, c, chord_of(r, v, sigma));
+        if (t >= 0)
+            return t;
     }
     return brink_intersection_time_slow(r, v, sigma);
 }
@@ -71,19 +64,15 @@ double brink_intersection_time_fast(const double r[3], const double v[3],
 double brink_disjoint_time_fast(const double r[3], const double v[3],
                                 double sigma)
 {
+    static const chord none = {0, 0, 0};
     double b = dot_rounded(r, v), c = dot_rounded(r, r) - sigma * sigma;
-    if (sigma_in_range(sigma) && c < 0x1p1000) {
-        if (b > 0x1p-900 && b < 0x1p1000 && c >= 0)
+    if (sigma_in_range(sigma)) {
+        if (is_in_range(b) && c >= 0 && c < 0x1p1000)
             return 0;
-        double a = dot_rounded(v, v);
-        if (c >= 0 && b < -0x1p-900) {
-            chord k = chord_of(r, v, sigma);
-            if (k.a > 0x1p-900 && k.s < 0x1p1000)
-                return ((k.d > 0 ? sqrt(k.d) : 0) - b) / a;
-        }
-        double d = fma(b, b, -a * c);
-        if (c < 0 && a > 0x1p-900 && d > 0x1p-900 && d < 0x1p1000)
-            return b > 0 ? -c / (sqrt(d) + b) : (sqrt(d) - b) / a;
+        chord outside = c < 0 ? none : chord_of(r, v, sigma);
+        double t = parting_time_fast(dot_rounded(v, v), b, c, outside);
+        if (t >= 0)
+            return t;
     }
     return brink_disjoint_time_slow(r, v, sigma);
 }
@@ -99,8 +88,8 @@ typedef struct fine_sums {
 BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
                                     double sigma)
 {
-    sums m = sums_of(r, v, sigma);
-    dd a = square_of(v);
+    sums m = sums_in_lanes(r, v, sigma);
+    dd a = dot_of(v, v);
     return (fine_sums){two_sum(a.hi, a.lo), two_sum(m.b.hi, m.b.lo),
                        two_sum(m.c.hi, m.c.lo), m.size};
 }

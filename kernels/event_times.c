@@ -1,21 +1,183 @@
 // SPDX-License-Identifier: MIT
+/**
+ * Many pairs at once: what can be said of all of them in the same way is said in loops
+ * that the compiler makes vectors of, the doubtful are gathered and looked at again,
+ * and what then is left goes through the scalar kernel, one by one.  All of it is built
+ * of the scalar kernels' parts, so the answers are theirs bit for bit.
+ */
 #include "paths.h"
 
 #include "event_time.h"
+#include "path.h"
 
-#define BATCH(name, kernel)                                                      \
-    void name(size_t n, const double *rx, const double *ry, const double *rz,    \
-              const double *vx, const double *vy, const double *vz,              \
-              const double *sigma, double *t)                                    \
-    {                                                                            \
-        for (size_t i = 0; i < n; i++) {                                         \
-            const double r[3] = {rx[i], ry[i], rz[i]},                           \
-                         v[3] = {vx[i], vy[i], vz[i]};                           \
-            t[i] = kernel(r, v, sigma[i]);                                       \
-        }                                                                        \
+enum { BLOCK = 128 };
+
+/** Pairs from a structure of arrays. */
+typedef struct many {
+    const double *rx, *ry, *rz, *vx, *vy, *vz, *sigma;
+} many;
+
+static many from(const many *p, size_t i)
+{
+    return (many){p->rx + i, p->ry + i, p->rz + i,   p->vx + i,
+                  p->vy + i, p->vz + i, p->sigma + i};
+}
+
+#define GET_PAIR(p, i)                                                           \
+    const double r[3] = {p->rx[i], p->ry[i], p->rz[i]};                          \
+    const double v[3] = {p->vx[i], p->vy[i], p->vz[i]};                          \
+    const double sigma = p->sigma[i]
+
+typedef double scalar(const double r[3], const double v[3], double sigma);
+/** A block's times, or -1 for those to be looked at again. */
+typedef void glance(int n, const many *p, double *t);
+
+static void finish(int n, const many *p, double *t, scalar *kernel)
+{
+    for (int i = 0; i < n; i++)
+        if (t[i] < 0) {
+            GET_PAIR(p, i);
+            t[i] = kernel(r, v, sigma);
+        }
+}
+
+/** Looks once more at those still open, gathered so that they lie together. */
+static void look_again(int n, const many *p, double *t, glance *second)
+{
+    int open[BLOCK], count = 0;
+    double of[7][BLOCK], again[BLOCK];
+    for (int i = 0; i < n; i++) {
+        open[count] = i;
+        count += t[i] < 0;
     }
+    for (int k = 0; k < count; k++) {
+        int i = open[k];
+        of[0][k] = p->rx[i];
+        of[1][k] = p->ry[i];
+        of[2][k] = p->rz[i];
+        of[3][k] = p->vx[i];
+        of[4][k] = p->vy[i];
+        of[5][k] = p->vz[i];
+        of[6][k] = p->sigma[i];
+    }
+    many gathered = {of[0], of[1], of[2], of[3], of[4], of[5], of[6]};
+    second(count, &gathered, again);
+    for (int k = 0; k < count; k++)
+        t[open[k]] = again[k];
+}
 
-BATCH(brink_intersection_times, brink_intersection_time)
-BATCH(brink_intersection_times_fast, brink_intersection_time_fast)
-BATCH(brink_disjoint_times, brink_disjoint_time)
-BATCH(brink_disjoint_times_fast, brink_disjoint_time_fast)
+// --- What is seen at a glance --------------------------------------------------------
+
+static void never_meet(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        rate b = rate_of(r, v);
+        int never =
+            is_positive(b) | (is_negative(b) & passes_by(chord_of(r, v, sigma)));
+        t[i] = never & sigma_in_range(sigma) ? (double)INFINITY : -1;
+    }
+}
+
+static void meet(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        sums m = sums_of(r, v, sigma);
+        double time = meeting_time(&m, dot_of(v, v));
+        int approaching = is_negative(rate_of(r, v)) & sigma_in_range(sigma);
+        t[i] = approaching ? time : -1;
+    }
+}
+
+static void meet_fast(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double b = dot_rounded(r, v), c = dot_rounded(r, r) - sigma * sigma;
+        double time = meeting_time_fast(b, c, chord_of(r, v, sigma));
+        time = is_in_range(b) ? (double)INFINITY : time;
+        t[i] = sigma_in_range(sigma) ? time : -1;
+    }
+}
+
+static void part(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        rate b = rate_of(r, v);
+        sums m = sums_of(r, v, sigma);
+        double a = dot_rounded(v, v), time = parting_time(&m, a, b);
+        int outside = is_far_outside(r, sigma);
+        int passing = is_negative(b) & passes_by(chord_of(r, v, sigma));
+        time = outside & passing ? approach_time(&m, a) : time;
+        time = outside & is_positive(b) ? 0 : time;
+        t[i] = sigma_in_range(sigma) ? time : -1;
+    }
+}
+
+static void part_fast(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double a = dot_rounded(v, v), b = dot_rounded(r, v);
+        double c = dot_rounded(r, r) - sigma * sigma;
+        double time = parting_time_fast(a, b, c, chord_of(r, v, sigma));
+        int now = is_in_range(b) & (c >= 0) & (c < 0x1p1000);
+        time = now ? 0 : time;
+        t[i] = sigma_in_range(sigma) ? time : -1;
+    }
+}
+
+// --- The batches ---------------------------------------------------------------------
+
+/** One block after the other, the answers written when the block has been read. */
+static void in_blocks(size_t n, const many *all, double *t, glance *first,
+                      glance *second, scalar *kernel)
+{
+    double answer[BLOCK];
+    for (size_t at = 0; at < n; at += BLOCK) {
+        int count = n - at < BLOCK ? (int)(n - at) : BLOCK;
+        many block = from(all, at);
+        first(count, &block, answer);
+        if (second)
+            look_again(count, &block, answer, second);
+        finish(count, &block, answer, kernel);
+        memcpy(t + at, answer, (size_t)count * sizeof *answer);
+    }
+}
+
+void brink_intersection_times(size_t n, const double *rx, const double *ry,
+                              const double *rz, const double *vx,
+                              const double *vy, const double *vz,
+                              const double *sigma, double *t)
+{
+    const many all = {rx, ry, rz, vx, vy, vz, sigma};
+    in_blocks(n, &all, t, never_meet, meet, brink_intersection_time);
+}
+
+void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
+                                   const double *rz, const double *vx,
+                                   const double *vy, const double *vz,
+                                   const double *sigma, double *t)
+{
+    const many all = {rx, ry, rz, vx, vy, vz, sigma};
+    in_blocks(n, &all, t, meet_fast, NULL, brink_intersection_time_fast);
+}
+
+void brink_disjoint_times(size_t n, const double *rx, const double *ry,
+                          const double *rz, const double *vx, const double *vy,
+                          const double *vz, const double *sigma, double *t)
+{
+    const many all = {rx, ry, rz, vx, vy, vz, sigma};
+    in_blocks(n, &all, t, part, NULL, brink_disjoint_time);
+}
+
+void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
+                               const double *rz, const double *vx,
+                               const double *vy, const double *vz,
+                               const double *sigma, double *t)
+{
+    const many all = {rx, ry, rz, vx, vy, vz, sigma};
+    in_blocks(n, &all, t, part_fast, NULL, brink_disjoint_time_fast);
+}

@@ -11,7 +11,7 @@ typedef struct pair {
     double r[3], v1[3], v2[3]; // times 2^-er, 2^-ev, 2^-ev
     int er, ev, em;
     dd v[3];       // v1 - v2, exact
-    dd b, rr;      // r.v, r.r: errors <= 2^-100 |r||v|, 2^-100 r.r
+    dd b, rr;      // r.v, r.r, to 8u^2 of sum |r_i v_i|, of r.r
     dd k1, k2, mu; // m2 / (m1 + m2), m1 / (m1 + m2), m1 m2 / (m1 + m2): <= 2^-100
 } pair;
 
@@ -127,10 +127,11 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
     dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
     dd rest = dd_add(ss, dd_negate(loss));
 
-    // |r|, |v| < 8 here, so ss is in error by less than 2 * 64 * 2^-100 * 64 =
-    // 2^-87; loss by less than 2^-95 of itself.
+    // Components of r and v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96.  b is off
+    // by 8u^2 P, s^2 by 2 P 8u^2 P + 4u^2 P^2 < 2^-88, and loss by 45u^2 < 2^-100 of
+    // itself.
     int crosses = rest.hi > 0;
-    if (!(fabs(rest.hi) > 0x1p-86 + 0x1p-94 * fabs(loss.hi)))
+    if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
         crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;
 
     dd change = reflection(&p, way);

@@ -14,7 +14,7 @@
  * u = 2^-53; P = sum |r_i v_i|, R = r.r + sigma^2, Q = a R >= P^2.  Bounds are to first
  * order, and what uses them leaves room for the rest.
  */
-#include "lanes.h"
+#include "exact.h"
 
 /** The slow ways: any input; correctly rounded; NaN outside the domain. */
 double brink_intersection_time_slow(const double r[3], const double v[3],
@@ -30,7 +30,12 @@ double brink_disjoint_time_slow(const double r[3], const double v[3],
  */
 BRINK_INLINE int sigma_in_range(double sigma)
 {
-    return sigma > 0x1p-450 && sigma < 0x1p450;
+    return (sigma > 0x1p-450) & (sigma < 0x1p450);
+}
+
+BRINK_INLINE int is_in_range(double x)
+{
+    return (x > 0x1p-900) & (x < 0x1p1000);
 }
 
 // --- Filters -------------------------------------------------------------------------
@@ -95,7 +100,7 @@ BRINK_INLINE int passes_by(chord k)
     return (k.a > 0x1p-900) & (k.d < -fma(0x1p-50, k.s, 0x1p-900));
 }
 
-// --- Sums that carry their errors ----------------------------------------------------
+// --- Plain: sums that carry their errors ---------------------------------------------
 
 /** b and c as unevaluated sums of two doubles, and R. */
 typedef struct sums {
@@ -108,38 +113,31 @@ BRINK_INLINE double sum_of(dd x)
     return x.hi + x.lo;
 }
 
-/** Error of b <= 7u^2 P, of c <= 11u^2 R, where 2^-900 < R, so that what underflows does
- *  not count: what the products and the sums are off by is exact, and is added up in few
- *  roundings.  Where |c| < R / 3 the last difference is exact, and the error of c <= 6u^2
- *  R: u^2 R each for the three additions that the products' errors are in, and 4u^2 r.r,
- *  r.r < 2/3 R, for those with the sums'. */
-BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
+/** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is exact, and at
+ *  most 3u of that sum in all; it is added up with five roundings. */
+BRINK_INLINE dd dot_of(const double x[3], const double y[3])
 {
-    two_lanes p[4], e[4]; // lane 0: b, lane 1: c
-    for (int i = 0; i < 3; i++) {
-        two_lanes x = {v[i], r[i]}, y = {r[i], r[i]};
-        p[i] = x * y;
-        e[i] = lanes_fma(x, y, -p[i]);
-    }
-    dd ss = two_prod(-sigma, sigma);
-    p[3] = (two_lanes){0, ss.hi};
-    e[3] = (two_lanes){0, ss.lo};
-    two_lanes s = p[0] + p[1], t = s + p[2], w = t + p[3];
-    two_lanes rest = lanes_lost(s, p[0], p[1]) + lanes_lost(t, s, p[2]);
-    rest = ((e[0] + e[1]) + (e[2] + e[3])) + (rest + lanes_lost(w, t, p[3]));
-    return (sums){{w[0], rest[0]}, {w[1], rest[1]}, t[1] - ss.hi};
-}
-
-/** x.x, error <= 7u^2 of it. */
-BRINK_INLINE dd square_of(const double x[3])
-{
-    dd p = two_prod(x[0], x[0]), q = two_prod(x[1], x[1]);
-    dd r = two_prod(x[2], x[2]);
+    dd p = two_prod(x[0], y[0]), q = two_prod(x[1], y[1]);
+    dd r = two_prod(x[2], y[2]);
     dd s = two_sum(p.hi, q.hi), t = two_sum(s.hi, r.hi);
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
-/** Whether c is farther above 0 than its error. */
+/** The same with a fourth product: error of c <= 11u^2 R, of b <= 7u^2 P, where R is more
+ *  than 2^-900, so that what underflows does not count.  Where |c| < R / 3 the last
+ *  difference is exact, and the error of c <= 6u^2 R: u^2 R each for the three additions
+ *  that the products' errors are in, and 4u^2 r.r, r.r < 2/3 R, for those with the
+ *  sums'. */
+BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
+{
+    dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]);
+    dd z = two_prod(r[2], r[2]), q = two_prod(-sigma, sigma);
+    dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
+    double rest = ((x.lo + y.lo) + (z.lo + q.lo)) + ((s.lo + t.lo) + w.lo);
+    return (sums){dot_of(r, v), {w.hi, rest}, t.hi - q.hi};
+}
+
+/** Whether c is farther above or below 0 than its error. */
 BRINK_INLINE int is_outside(const sums *m)
 {
     return sum_of(m->c) > 0x1p-102 * m->size;
@@ -149,8 +147,6 @@ BRINK_INLINE int is_inside(const sums *m)
 {
     return sum_of(m->c) < -0x1p-102 * m->size;
 }
-
-// --- The times, where they are certain: for sigma in range, or -1 --------------------
 
 /** d where it is larger than 2^-44 Q, otherwise 0; error <= 2.4u d.  The products are
  *  exact; what follows their leading parts is below 18u Q and takes fewer than ten
@@ -162,51 +158,92 @@ BRINK_INLINE double discriminant_of(dd a, const sums *m)
     rest = fma(2 * m->b.hi, m->b.lo, (p.lo - q.lo) - rest);
     double d = (p.hi - q.hi) + rest; // two roundings
     double least = fma(0x1p-44 * a.hi, m->size, 0x1p-900);
-    return a.hi > 0x1p-900 && d > least ? d : 0;
+    int certain = (a.hi > 0x1p-900) & (d > least);
+    return certain ? d : 0;
 }
 
-/** The intersection time within 8 ulp, of a pair that approaches.  c is off by 1u +
- *  6u^2 R / c <= 4u; sqrt(d), at most half of the sum, by 1.2u + 1u, and b by 1u; sum and
- *  quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u, and 8u are at most 8 ulp. */
-BRINK_INLINE double meeting_time(const double r[3], const double v[3],
-                                 double sigma)
+/** The intersection time within 8 ulp, of a pair that approaches; -1 where it is not
+ *  certain.  c is off by 1u + 6u^2 R / c <= 4u; sqrt(d), at most half of the sum, by
+ *  1.2u + 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u,
+ *  and 8u are at most 8 ulp. */
+BRINK_INLINE double meeting_time(const sums *m, dd a)
 {
-    sums m = sums_of(r, v, sigma);
-    double c = sum_of(m.c), d = discriminant_of(square_of(v), &m);
-    double t = c / (sqrt(d) - sum_of(m.b));
-    int later = (c > 0x1p-52 * m.size) & (d > 0);
-    return later ? t : (is_inside(&m) ? 0 : -1);
+    double c = sum_of(m->c), d = discriminant_of(a, m);
+    double t = c / (sqrt(d) - sum_of(m->b));
+    int later = (c > 0x1p-52 * m->size) & (d > 0);
+    double otherwise = is_inside(m) ? 0 : -1;
+    return later ? t : otherwise;
+}
+
+/** (root - b) / a, root^2 = b^2 - a c, without its cancellation. */
+BRINK_INLINE double later_root(double a, double b, double c, double root)
+{
+    double x = b > 0 ? -c : root - b, y = b > 0 ? root + b : a;
+    return x / y;
 }
 
 /**
- * The disjoint time within 8 ulp, of a pair that is inside or only just outside; `rough`
- * is its rate.  d = b^2 - a c loses nothing then: a may be off by 3u, c by 1u + k,
- * k = 6u^2 R / |c| <= 3u where it is divided by, b by 1u; the product a c, d, its root,
- * the sum and the quotient by 1u each.  With w = sqrt(d) / (sqrt(d) + |b|), to first order,
+ * The disjoint time within 8 ulp, of a pair that is inside, or near the surface; -1 where
+ * it is not certain.  `rough` is its rate.
+ *
+ * d = b^2 - a c loses nothing there: a may be off by 3u, c by 1u + k, k = 6u^2 R / |c| <= 3u
+ * where it is divided by, b by 1u; the product a c, d, its root, the sum and the quotient
+ * by 1u each.  With w = sqrt(d) / (sqrt(d) + |b|), to first order,
  *
  *     b > 0: (1 + k) / 2w + 3 (2w - 1) / 2w + [(1 - w)^2 / w + (2w - 1) / 2w + w / 2]
  *            + w + (1 - w) + 2    for 1/2 <= w <= 1:  at most 4.8 + k, 7.8u at w = 1/2
  *     b < 0, inside:        3 / 2w in place of the terms of a:  at most 6.8u
  *     b < 0, just outside, d > 3/4 b^2:  3.3 + 1.8 + 0.5 + 2 = 7.6u
  */
-BRINK_INLINE double parting_time(const double r[3], const double v[3],
-                                 double sigma, rate rough)
+BRINK_INLINE double parting_time(const sums *m, double a, rate rough)
 {
-    sums m = sums_of(r, v, sigma);
-    double a = dot_rounded(v, v), b = sum_of(m.b), c = sum_of(m.c);
-    double bb = b * b, d = fma(-a, c, bb), root = sqrt(d);
-    double t = (b > 0 ? -c : root - b) / (b > 0 ? root + b : a);
-    int in_range = (a > 0x1p-900) & (d > 0x1p-900) & (d < 0x1p1000);
-    int inside = c < -0x1p-52 * m.size,
-        on_the_way = is_negative(rough) & (d > 0.75 * bb);
-    int now = is_positive(rough) & is_outside(&m);
-    return now ? 0 : (in_range & (inside | on_the_way) ? t : -1);
+    double b = sum_of(m->b), c = sum_of(m->c);
+    double bb = b * b, d = fma(-a, c, bb), root = sqrt(d > 0 ? d : 0);
+    double t = later_root(a, b, c, root);
+    int in_range = (a > 0x1p-900) & is_in_range(d);
+    int inside = c < -0x1p-52 * m->size;
+    int coming = is_negative(rough) & (d > 0.75 * bb);
+    int certain = in_range & (inside | coming),
+        now = is_positive(rough) & is_outside(m);
+    double later = certain ? t : -1;
+    return now ? 0 : later;
 }
 
-/** The time of the closest approach, b certainly negative, a > 2^-900, within 8 ulp: |b|
- *  is then more than 4u P, so it is off by 1u + 2u, and a by 3u, the quotient by 1u. */
-BRINK_INLINE double approach_time(const double r[3], const double v[3])
+/** The time of the closest approach, where `rough` is certainly negative and a > 2^-900,
+ *  within 8 ulp: |b| is then more than 4u P, so it is off by 1u + 2u, a by 3u, and the
+ *  quotient by 1u. */
+BRINK_INLINE double approach_time(const sums *m, double a)
 {
-    return -sum_of(sums_of(r, v, 0).b) / dot_rounded(v, v);
+    return -sum_of(m->b) / a;
+}
+
+// --- Fast ----------------------------------------------------------------------------
+
+/** Of a pair with b < 0, c below 2^1000; -1 where something is out of range. */
+BRINK_INLINE double meeting_time_fast(double b, double c, chord k)
+{
+    double sum = sqrt(k.d > 0 ? k.d : 0) - b;
+    // On the rim c and d are nothing but their errors, which need not agree: the pair is
+    // there no later than at its closest approach, -b / a.
+    int late = k.a * c > -b * sum;
+    double t = (late ? -b : c) / (late ? k.a : sum);
+    double later = k.d > 0 ? t : (double)INFINITY;
+    double answer = c > 0 ? later : 0;
+    int certain =
+        (k.a > 0x1p-900) & is_in_range(k.s) & is_in_range(-b) & (c < 0x1p1000);
+    return certain ? answer : -1;
+}
+
+/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then. */
+BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
+{
+    double d_inside = fma(b, b, -a * c),
+           d_outside = outside.d > 0 ? outside.d : 0;
+    double d = c < 0 ? d_inside : d_outside;
+    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
+    int certain =
+        c < 0 ? is_in_range(d) : is_in_range(-b) & is_in_range(outside.s);
+    certain = certain & (a > 0x1p-900) & (c < 0x1p1000);
+    return certain ? t : -1;
 }
 #endif

@@ -52,9 +52,9 @@ double brink_potential_energy(const brink_potential *p, int level)
 double brink_step_rise(const brink_potential *p, int level,
                        enum brink_direction way)
 {
-    int next = way == BRINK_INWARD ? level + 1 : level - 1;
     if (!is_level(p, level))
         return (double)NAN;
+    int next = way == BRINK_INWARD ? level + 1 : level - 1;
     return brink_potential_energy(p, next) - brink_potential_energy(p, level);
 }
 

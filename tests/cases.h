@@ -39,7 +39,7 @@ static inline int cases_next(FILE *in, int n, double *x)
 static inline FILE *cases_open(const char *name)
 {
     char path[512];
-    snprintf(path, sizeof path, "%s/%s.wc", CASES, name);
+    snprintf(path, sizeof path, "%s/%s.wc", CASES_DIR, name);
     FILE *in = fopen(path, "r");
     if (in == NULL) {
         perror(path);

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "oracle.h"
+#include "random.h"
+#include "suite.h"
+#include <brink/exact.h>
+
+enum { CASES = 20000, SEED = 1 };
+
+static const double u = 0x1p-53;
+
+static void set_dd(mpfr_t z, dd x)
+{
+    mpfr_set_d(z, x.hi, ORACLE_N);
+    mpfr_add_d(z, z, x.lo, ORACLE_N);
+}
+
+/** |got - exact| / |exact|, 0 for 0 / 0. */
+static double relative_error(dd got, const mpfr_t exact)
+{
+    mpfr_t z;
+    mpfr_init2(z, ORACLE_BITS);
+    set_dd(z, got);
+    mpfr_sub(z, z, exact, ORACLE_N);
+    if (!mpfr_zero_p(z))
+        mpfr_div(z, z, exact, ORACLE_N);
+    double error = fabs(mpfr_get_d(z, MPFR_RNDA));
+    mpfr_clear(z);
+    return error;
+}
+
+/** A double-double of magnitude near 1; one in four with its low part at the limit. */
+static dd random_dd(stream *s)
+{
+    double hi = stream_scaled(s, -3, 3);
+    double half_ulp = ldexp(u, ilogb(hi));
+    int edge = stream_int(s, 0, 3) == 0;
+    return fast_two_sum(hi, edge ? stream_sign(s) * nextafter(half_ulp, 0)
+                                 : half_ulp * stream_real(s, -1, 1));
+}
+
+static void expect(const char *what, dd got, const mpfr_t exact, double bound,
+                   dd x, dd y)
+{
+    double error = relative_error(got, exact);
+    if (!(error <= bound))
+        ck_abort_msg(
+            "%s of %a + %a and %a + %a (seed %d): error %g u^2, bound %g u^2",
+            what, x.hi, x.lo, y.hi, y.lo, SEED, error / (u * u), bound / (u * u));
+}
+
+START_TEST(sums_of_two_doubles_are_exact)
+{
+    stream s = {SEED};
+    mpfr_t exact;
+    mpfr_init2(exact, ORACLE_BITS);
+    for (int i = 0; i < CASES; i++) {
+        double a = stream_scaled(&s, -1080, 1023),
+               b = stream_scaled(&s, -1080, 1023);
+        if (i % 2)
+            b = stream_near(&s, -a, 4);
+        mpfr_set_d(exact, a, ORACLE_N);
+        mpfr_add_d(exact, exact, b, ORACLE_N);
+        expect("two_sum", two_sum(a, b), exact, 0, (dd){a, 0}, (dd){b, 0});
+        if (fabs(a) >= fabs(b))
+            expect("fast_two_sum", fast_two_sum(a, b), exact, 0, (dd){a, 0},
+                   (dd){b, 0});
+    }
+    mpfr_clear(exact);
+}
+END_TEST
+
+START_TEST(products_of_two_doubles_are_exact)
+{
+    stream s = {SEED};
+    mpfr_t exact;
+    mpfr_init2(exact, ORACLE_BITS);
+    for (int i = 0; i < CASES; i++) {
+        // Down to where the last bit of the product is 2^-1074.
+        int e = stream_int(&s, 0, 900);
+        double a = stream_scaled(&s, e, e + 1),
+               b = stream_scaled(&s, -968 - e, 1023 - e);
+        mpfr_set_zero(exact, 1);
+        oracle_add(exact, 1, a, b);
+        expect("two_prod", two_prod(a, b), exact, 0, (dd){a, 0}, (dd){b, 0});
+    }
+    mpfr_clear(exact);
+}
+END_TEST
+
+START_TEST(double_doubles_keep_their_bounds)
+{
+    stream s = {SEED};
+    mpfr_t a, b, z;
+    mpfr_inits2(ORACLE_BITS, a, b, z, (mpfr_ptr)0);
+    for (int i = 0; i < CASES; i++) {
+        dd x = random_dd(&s), y = i % 4 ? random_dd(&s) : dd_negate(x);
+        if (i % 4 == 0) // cancelling
+            y.lo = stream_near(&s, y.lo, 4);
+        set_dd(a, x);
+        set_dd(b, y);
+        mpfr_add(z, a, b, ORACLE_N);
+        expect("dd_add", dd_add(x, y), z, 3.01 * u * u, x, y);
+        mpfr_add_d(z, a, y.hi, ORACLE_N);
+        expect("dd_add_d", dd_add_d(x, y.hi), z, 2 * u * u, x, y);
+        mpfr_mul(z, a, b, ORACLE_N);
+        expect("dd_mul", dd_mul(x, y), z, 4 * u * u, x, y);
+        mpfr_mul_d(z, a, y.hi, ORACLE_N);
+        expect("dd_mul_d", dd_mul_d(x, y.hi), z, 2 * u * u, x, y);
+        mpfr_div(z, a, b, ORACLE_N);
+        expect("dd_div", dd_div(x, y), z, 15.01 * u * u, x, y);
+        dd square = x.hi < 0 ? dd_negate(x) : x;
+        set_dd(a, square);
+        mpfr_sqrt(z, a, ORACLE_N);
+        expect("dd_sqrt", dd_sqrt(square), z, 25.0 / 8 * u * u, square, y);
+    }
+    mpfr_clears(a, b, z, (mpfr_ptr)0);
+}
+END_TEST
+
+START_TEST(what_is_told_is_the_nearest_double)
+{
+    // Values within 2^-70 of x.hi + x.lo: both ends must round to x.hi if it is told.
+    stream s = {SEED};
+    mpfr_t z, slack;
+    mpfr_inits2(ORACLE_BITS, z, slack, (mpfr_ptr)0);
+    int told = 0;
+    for (int i = 0; i < CASES; i++) {
+        double hi =
+            i % 3 ? stream_scaled(&s, -3, 3) : ldexp(1, stream_int(&s, -3, 3));
+        double half = ldexp(u, ilogb(hi)) * (stream_int(&s, 0, 1) ? 1 : 0.5);
+        dd x = {hi, stream_sign(&s) * half *
+                        (1 - stream_int(&s, 0, 8) *
+                                 ldexp(1, -stream_int(&s, 10, 20)))};
+        if (x.hi + x.lo != x.hi || !is_told(x))
+            continue;
+        told++;
+        for (int end = -1; end <= 1; end += 2) {
+            set_dd(z, x);
+            mpfr_set_d(slack, end * 0x1p-70 * fabs(hi), ORACLE_N);
+            mpfr_add(z, z, slack, ORACLE_N);
+            if (mpfr_get_d(z, ORACLE_N) != x.hi)
+                ck_abort_msg("%a + %a (seed %d) was told", x.hi, x.lo, SEED);
+        }
+    }
+    ck_assert_int_gt(told, CASES / 10);
+    mpfr_clears(z, slack, (mpfr_ptr)0);
+}
+END_TEST
+
+START_TEST(moderate_is_what_it_says)
+{
+    ck_assert(is_moderate(0x1p-400) && is_moderate(1) && is_moderate(0x1.8p499));
+    ck_assert(!is_moderate(0x1.fffffffffffffp-401) && !is_moderate(0x1p500));
+    ck_assert(!is_moderate(0) && !is_moderate(-1) &&
+              !is_moderate((double)INFINITY));
+    ck_assert(!is_moderate((double)NAN) && !is_moderate(-(double)NAN));
+}
+END_TEST
+
+START_TEST(common_exponents_bring_the_largest_to_one)
+{
+    for (int e = -1074; e <= 1023; e++) {
+        const double x[3] = {0, -ldexp(1.5, e), ldexp(1, e - 1)};
+        double largest = fabs(x[1]) * power_of_two(-common_exponent(3, x));
+        ck_assert(largest >= (e < -1022 ? 0x1p-52 : 1) &&
+                  largest < (e > 1022 ? 4 : 2));
+    }
+}
+END_TEST
+
+START_TEST(nothing_is_contracted)
+{
+    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; with a fused operation 2^-54 is left.
+    volatile double a = 1 + 0x1p-27, c = -(1 + 0x1p-26);
+    double left = a * a + c;
+    ck_assert_double_eq(left, 0);
+    ck_assert_double_eq(fma(a, a, c), 0x1p-54);
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE(
+        "exact", 300, sums_of_two_doubles_are_exact,
+        products_of_two_doubles_are_exact, double_doubles_keep_their_bounds,
+        what_is_told_is_the_nearest_double, moderate_is_what_it_says,
+        common_exponents_bring_the_largest_to_one, nothing_is_contracted);
+}
