@@ -9,10 +9,10 @@ static int ascending(const void *a, const void *b)
     return (*x > *y) - (*x < *y);
 }
 
-/** Wrong answers are worse than any error. */
-static double badness(const verdict *v)
+/** Wrong answers are worse than any error in ulp. */
+static double badness(const verdict *v, int by)
 {
-    return v->wrong != WRONG_NOT ? (double)INFINITY : v->error[0];
+    return v->wrong != WRONG_NOT && by == 0 ? (double)INFINITY : v->error[by];
 }
 
 /** Keeps `worst` in order, bad[k] being how bad worst[k] is. */
@@ -48,8 +48,9 @@ void measure_free(sample *s)
     free(s->error[0]);
 }
 
-static void judge_all(const problem *p, const inputs *in, const truth *truths,
-                      const answers *out, sample *s)
+/** `by`: the measure by which the worst are found. */
+static void judge_all(const problem *p, int by, const inputs *in,
+                      const truth *truths, const answers *out, sample *s)
 {
     double bad[MEASURE_WORST] = {0};
     for (int i = 0; i < in->n; i++) {
@@ -60,11 +61,10 @@ static void judge_all(const problem *p, const inputs *in, const truth *truths,
             p->judge(in->rows + (size_t)i * (size_t)in->width, &truths[i],
                      out->n[i], y);
         s->wrong[v.wrong]++;
-        if (v.error[0] >= 0)
-            s->error[0][s->count[0]++] = badness(&v);
-        if (v.error[1] >= 0)
-            s->error[1][s->count[1]++] = v.error[1];
-        rank_case(i, badness(&v), s->worst, bad);
+        for (int k = 0; k < MEASURES; k++)
+            if (v.error[k] >= 0)
+                s->error[k][s->count[k]++] = badness(&v, k);
+        rank_case(i, badness(&v, by), s->worst, bad);
     }
     for (int k = 0; k < MEASURES; k++)
         qsort(s->error[k], (size_t)s->count[k], sizeof(double), ascending);
@@ -85,13 +85,36 @@ int measure(const problem *p, int first, int methods, int family, int n,
             p->solve(in->rows + (size_t)i * (size_t)in->width, &truths[i]);
         for (int k = 0; k < methods; k++) {
             p->method[first + k].loop(in, out);
-            judge_all(p, in, truths, out, &samples[k]);
+            judge_all(p, p->method[first + k].bound_measure, in, truths, out,
+                      &samples[k]);
         }
     }
     free(truths);
     answers_free(out);
     inputs_free(in);
     return failed;
+}
+
+int measure_pool(sample *all, int count, const sample *samples)
+{
+    int n = 0;
+    for (int i = 0; i < count; i++)
+        n += samples[i].n;
+    if (sample_make(all, n) != 0)
+        return -1;
+    for (int i = 0; i < count; i++) {
+        const sample *s = &samples[i];
+        for (int k = 0; k < WRONG_KINDS; k++)
+            all->wrong[k] += s->wrong[k];
+        for (int k = 0; k < MEASURES; k++) {
+            memcpy(all->error[k] + all->count[k], s->error[k],
+                   (size_t)s->count[k] * sizeof(double));
+            all->count[k] += s->count[k];
+        }
+    }
+    for (int k = 0; k < MEASURES; k++)
+        qsort(all->error[k], (size_t)all->count[k], sizeof(double), ascending);
+    return 0;
 }
 
 double measure_quantile(const sample *s, int measure, double q)
