@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench_plots.h"
-#include "words.h"
+#include "study_words.h"
 #include <stdio.h>
 #include <stdlib.h>
 
