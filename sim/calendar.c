@@ -58,8 +58,8 @@ int brink_entry_compare(const brink_entry *a, const brink_entry *b)
     return (a->j > b->j) - (a->j < b->j);
 }
 
-// Both particles of a pair can hold the same event: then the lower slot is earlier, so
-// that the order is total and no history of the heap shows in it.
+// Both particles of a pair can hold the same event: then the lower slot is
+// earlier, so that the order is total and no history of the heap shows in it.
 static int earlier(const brink_calendar *c, uint32_t a, uint32_t b)
 {
     const int order = brink_entry_compare(&c->entry[a], &c->entry[b]);

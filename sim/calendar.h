@@ -8,8 +8,8 @@
  * later days of this year in a list a day, those of later years in one list that
  * is gone through when the year turns.
  *
- * One order: (time, kind, i, j), then slot.  What comes out does not depend on when or in
- * which order things were put in.
+ * One order: (time, kind, i, j), then slot.  What comes out does not depend on
+ * when or in which order things were put in.
  */
 #include "clock.h"
 #include <stddef.h>

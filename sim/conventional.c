@@ -298,13 +298,13 @@ enum brink_run_status brink_conventional_advance(brink_conventional *c,
 }
 
 int brink_conventional_create(brink_conventional *c, brink_system *system,
-                              enum brink_method method)
+                              const brink_rule *rule)
 {
     const uint32_t count = system->count;
     memset(c, 0, sizeof *c);
     if (brink_run_create(&c->house, system, BRINK_TIER_PLAIN))
         return -1;
-    c->rule = brink_method_rule(method);
+    c->rule = rule;
     c->seen = calloc(count, sizeof *c->seen);
     if (c->seen == NULL) {
         brink_conventional_destroy(c);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command line, nothing else.
+#include "scene.h"
 #include "session.h"
 #include "study.h"
 #include <errno.h>
@@ -106,7 +107,11 @@ static int parse_option(const char *option, const char *text, brink_orders *o)
     }
     if (strcmp(option, "--seed") == 0) {
         o->has_seed = 1;
-        return parse_count(option, text, &o->seed);
+        if (parse_count(option, text, &o->seed))
+            return -1;
+        return o->seed <= BRINK_SEED_MOST
+                   ? 0
+                   : wrong("--seed is below 2^32, not ", text);
     }
     if (strcmp(option, "--tier") == 0)
         return parse_tier(text, &o->tier);

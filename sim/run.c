@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
-#include "predict.h"
+#include "run_predict.h"
 #include <brink/impulse.h>
 #include <inttypes.h>
 #include <math.h>
@@ -157,10 +157,11 @@ static void list_images(brink_run *run)
     for (int z = 0; z < images[2]; z++)
         for (int y = 0; y < images[1]; y++)
             for (int x = 0; x < images[0]; x++) {
-                const int shift[3] = {x, y, z};
+                const int shift[3] = {x - images[0] / 2, y - images[1] / 2,
+                                      z - images[2] / 2};
                 double *image = run->image[run->images++];
                 for (int a = 0; a < 3; a++)
-                    image[a] = run->system.length[a] * (shift[a] - images[a] / 2);
+                    image[a] = run->system.length[a] * shift[a];
             }
 }
 

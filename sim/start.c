@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "start.h"
-#include "kinetic.h"
-#include "placement.h"
-#include "species.h"
+#include "scene_species.h"
+#include "scene_value.h"
+#include "start_kinetic.h"
+#include "start_placement.h"
 #include "trajectory.h"
-#include "value.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -128,6 +128,7 @@ static int take_particles(maker *m, const brink_frame *frame)
         brink_particle *p = &m->system->particle[next[a]++];
         for (int d = 0; d < scene->dimensions; d++) {
             p->x[d] = brink_system_fraction(m->system, d, x[d]);
+            // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
             p->v[d] = v[d];
         }
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study.h"
-#include "findings.h"
-#include "question.h"
 #include "session.h"
 #include "start.h"
-#include "words.h"
+#include "study_findings.h"
+#include "study_question.h"
+#include "study_words.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -13,14 +13,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+typedef struct result { // what a worker hands back
+    brink_trial trial;
+    double nudge_off[BRINK_NUDGES];
+} result;
+
 typedef struct study {
     const char *out;
     int count; // of scenes
     brink_case *cases;
     brink_system
-        *starts; // one a case; every worker has a copy of its own of each
-    FILE
-        *results; // brink_trial [case * BRINK_METHODS + method], from the workers
+        *starts;   // one a case; every worker has a copy of its own of each
+    FILE *results; // a result a job, in the order of jobs
 } study;
 
 // Trial `job` is of this case and method: the scenes take turns, and the ways in
@@ -58,18 +62,34 @@ static FILE *open_samples(const study *s, const brink_case *c,
     return samples;
 }
 
-// In the worker: 0 if the trial came to an end of whatever kind and is written
-// down.
+// In the worker: what other nudges would have done, each from the same start.
+static int try_nudges(const brink_case *c, enum brink_method method,
+                      double off[BRINK_NUDGES])
+{
+    for (int k = 0; k < BRINK_NUDGES; k++) {
+        brink_system start;
+        if (brink_start_make(&c->scene, c->path, &start, stderr) != 0)
+            return -1;
+        off[k] =
+            brink_nudge_try(&start, method, brink_nudge_size(k), c->nudge_events);
+    }
+    return 0;
+}
+
+// In the worker: 0 if the trial came to an end, of whatever kind, and is on file.
 static int work(const study *s, int job, FILE *samples)
 {
-    brink_trial trial;
     const brink_case *c = case_of(s, job);
-    brink_trial_run(&s->starts[job % s->count], method_of(s, job), c->events,
-                    samples, &trial);
-    const ssize_t size = (ssize_t)sizeof trial;
-    return fclose(samples) != 0 ||
-           pwrite(fileno(s->results), &trial, sizeof trial,
-                  (off_t)(job * size)) != size;
+    const enum brink_method method = method_of(s, job);
+    result done = {0};
+    brink_trial_run(&s->starts[job % s->count], method, c->events, samples,
+                    &done.trial);
+    if (fclose(samples) != 0 || (brink_nudge_is_used(method) &&
+                                 try_nudges(c, method, done.nudge_off) != 0))
+        return -1;
+    const ssize_t size = (ssize_t)sizeof done;
+    return pwrite(fileno(s->results), &done, sizeof done, (off_t)(job * size)) !=
+           size;
 }
 
 static pid_t start_worker(const study *s, int job)
@@ -84,22 +104,21 @@ static pid_t start_worker(const study *s, int job)
     return worker;
 }
 
-static void take_result(const study *s, int job, int status)
+// A worker that handed nothing back has crashed.
+static void take_result(const study *s, int job, int handed_back)
 {
     brink_case *c = case_of(s, job);
-    brink_trial trial, *place = &c->trial[method_of(s, job)];
-    const ssize_t size = (ssize_t)sizeof trial;
-    *place =
-        (brink_trial){.method = method_of(s, job), .particles = c->scene.count};
-    if (status == 0 && pread(fileno(s->results), &trial, sizeof trial,
-                             (off_t)(job * size)) == size)
-        *place = trial;
-    else if (WIFSIGNALED(status))
-        fprintf(stderr, "brink study: a worker was ended by signal %d (%s)\n",
-                WTERMSIG(status), strsignal(WTERMSIG(status)));
+    const enum brink_method method = method_of(s, job);
+    result done;
+    const ssize_t size = (ssize_t)sizeof done;
+    if (!handed_back || pread(fileno(s->results), &done, sizeof done,
+                              (off_t)(job * size)) != size)
+        done = (result){.trial = {.method = method, .particles = c->scene.count}};
+    c->trial[method] = done.trial;
+    memcpy(c->nudge_off[method], done.nudge_off, sizeof done.nudge_off);
     fprintf(stderr, "brink study: %s, %s: %s\n", c->name,
-            brink_method_rule(place->method)->name,
-            brink_findings_outcome(place).text);
+            brink_method_rule(method)->name,
+            brink_findings_outcome(&done.trial).text);
 }
 
 static int find(const pid_t *worker, int started, pid_t who)
@@ -125,7 +144,7 @@ static int run_trials(const study *s)
             if (worker[started] > 0)
                 running++;
             else
-                take_result(s, started, -1);
+                take_result(s, started, 0);
             started++;
             continue;
         }
@@ -133,7 +152,11 @@ static int run_trials(const study *s)
         const pid_t who = waitpid(-1, &status, 0);
         const int job = find(worker, started, who);
         if (who > 0 && job < started) {
-            take_result(s, job, status);
+            if (WIFSIGNALED(status))
+                fprintf(stderr,
+                        "brink study: a worker was ended by signal %d (%s)\n",
+                        WTERMSIG(status), strsignal(WTERMSIG(status)));
+            take_result(s, job, status == 0);
             running--;
         }
     }
@@ -176,6 +199,8 @@ static int read_case(const study *s, int k)
     if (brink_scene_read(path, &c->scene, stderr) != 0)
         return -1;
     c->events = brink_scene_events(&c->scene);
+    const uint64_t some = 30 * (uint64_t)c->scene.count; // shows what goes wrong
+    c->nudge_events = c->events < some ? c->events : some;
     if (c->events == UINT64_MAX) {
         fprintf(stderr,
                 "%s: error: the study compares by events, and this scene runs "

@@ -12,8 +12,9 @@ static int copy_potentials(brink_system *s, const brink_potential *from)
     size_t steps = 0;
     for (size_t p = 0; p < pairs; p++)
         steps += (size_t)from[p].count;
-    s->potential =
-        malloc(pairs * sizeof *s->potential + 2 * steps * sizeof(double));
+    const size_t size = pairs * sizeof *s->potential + 2 * steps * sizeof(double);
+    // NOLINTNEXTLINE(clang-analyzer-optin.portability.*): never without species
+    s->potential = malloc(size);
     if (!s->potential)
         return -1;
     double *table = (double *)(void *)(s->potential + pairs);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /*
- * How everything here is compiled, checked where a compiler could do otherwise.  That
- * the kernels refuse -ffast-math is checked by house_check.py, which tries.
+ * How everything here is compiled, checked where a compiler could do otherwise.
+ * That the kernels refuse -ffast-math is checked by house_check.py, which tries.
  */
 #include "suite.h"
 #include <float.h>
 #include <math.h>
 
-/* Where the hardware has fma a compiler may contract; so give it one, whatever the rest
- * is compiled for. */
+/* Where the hardware has fma a compiler may contract; so give it one, whatever
+ * the rest is compiled for. */
 #if defined __x86_64__
 #define WITH_FMA __attribute__((target("fma"), noinline))
 #else

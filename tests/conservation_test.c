@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /*
- * What must not change: energy and momentum over a million events, and the past, when
- * all velocities are reversed.
+ * What must not change: energy and momentum over a million events, and the past,
+ * when all velocities are reversed.
  */
 #include "suite.h"
 #include "systems.h"
@@ -11,9 +11,10 @@
 #include <stdio.h>
 #include <string.h>
 
-// ---------------------------------------------------------------- energy, momentum
+// --- Energy and momentum -----------------------------------------------------
 
-/** The largest |m v| along an axis and the largest kinetic energy of any particle. */
+/** The largest |m v| along an axis and the largest kinetic energy of any
+ *  particle. */
 static void largest(const brink_system *s, double *momentum, double *energy)
 {
     for (uint32_t i = 0; i < s->count; i++) {
@@ -28,9 +29,10 @@ static void largest(const brink_system *s, double *momentum, double *energy)
     }
 }
 
-/* An event may put momentum off by 2 ulp of the larger |m v| and energy by 4 ulp of the
- * larger kinetic energy of the two (<brink/impulse.h>); rounded to nearest, so with
- * either sign: n events by sqrt(n) of these, and by 4 sqrt(n) in one case of 16 000. */
+/* An event may put momentum off by 2 ulp of the larger |m v| and energy by 4
+ * ulp of the larger kinetic energy of the two (<brink/impulse.h>); rounded to
+ * nearest, so with either sign: n events by sqrt(n) of these, and by 4 sqrt(n)
+ * in one case of 16 000. */
 static void conserve(const char *name, const char *scene)
 {
     const uint64_t events = suite_share(1000000);
@@ -68,7 +70,7 @@ START_TEST(energy_and_momentum_stay_for_a_million_events)
 }
 END_TEST
 
-// ------------------------------------------------------------------- time reversal
+// --- Time reversal -----------------------------------------------------------
 
 static void copy(brink_system *to, const brink_system *from)
 {
@@ -98,7 +100,8 @@ typedef struct
     brink_system reversed; // as it is then, with all velocities turned round
 } past;
 
-/** Half-way between two events no pair is at a surface: levels are what position says. */
+/** Half-way between two events no pair is at a surface: levels are what
+ *  position says. */
 static void past_make(past *p, const brink_system *begin, int count)
 {
     brink_run run;
@@ -132,8 +135,9 @@ static void past_make(past *p, const brink_system *begin, int count)
     brink_run_destroy(&run);
 }
 
-/** How many of the past's events `run` undoes, the last one first: same pair, mirrored
- *  kind, and the time to 2^-6, as two particles have only one pair to meet. */
+/** How many of the past's events `run` undoes, the last one first: same pair,
+ *  mirrored kind, and the time to 2^-6, as two particles have only one pair to
+ *  meet. */
 static int undone(const past *p, brink_run *run)
 {
     static const enum brink_event_kind mirror[] = {
@@ -154,10 +158,10 @@ static int undone(const past *p, brink_run *run)
 
 START_TEST(two_in_a_line_go_back_over_ten_thousand_events)
 {
-    /* In a line deviations do not multiply.  After n events velocities are 4 sqrt(n)
-     * times 2 ulp off, relative; a flight between two events is shorter than the box, 8,
-     * so after n of them positions are 8 n times that off; and twice that there and
-     * back. */
+    /* In a line deviations do not multiply.  After n events velocities are 4
+     * sqrt(n) times 2 ulp off, relative; a flight between two events is
+     * shorter than the box, 8, so after n of them positions are 8 n times that
+     * off; and twice that there and back. */
     static past p;
     const double allowed = 2 * 8.0 * MOST * 4 * sqrt(MOST) * 2 * DBL_EPSILON;
     brink_system begin;
@@ -196,8 +200,8 @@ START_TEST(two_in_a_line_go_back_over_ten_thousand_events)
 }
 END_TEST
 
-/** As many events as `past` undoes from its turning point when velocities are deflected
- *  by +-`by` relative there. */
+/** As many events as `past` undoes from its turning point when velocities are
+ *  deflected by +-`by` relative there. */
 static int undone_deflected(const past *p, double by, unsigned long signs)
 {
     brink_system system;
@@ -216,9 +220,10 @@ static int undone_deflected(const past *p, double by, unsigned long signs)
     return n;
 }
 
-/** The way back is as chaotic as the way there, so events can be undone for as long as a
- *  deflection that stands for all roundings does not show; tests/sequence_test.c says
- *  why 2^-41 does.  There and back is twice the events: 2^-40. */
+/** The way back is as chaotic as the way there, so events can be undone for as
+ *  long as a deflection that stands for all roundings does not show;
+ *  tests/sequence_test.c says why 2^-41 does.  There and back is twice the
+ *  events: 2^-40. */
 static void go_back(const char *name, const char *scene, int events)
 {
     static past p;

@@ -10,11 +10,13 @@ static void make_conventional(brink_conventional *c, const char *scene,
 {
     brink_system system;
     make_system(&system, scene);
-    ck_assert_int_eq(brink_conventional_create(c, &system, method), 0);
+    ck_assert_int_eq(
+        brink_conventional_create(c, &system, brink_method_rule(method)), 0);
 }
 
-// The control: with logical states this loop must do what the run does, event by event
-// and bit by bit, so that whatever else the methods do is due to their rule.
+// The control: with logical states this loop must do what the run does, event by
+// event and bit by bit, so that whatever else the methods do is due to their
+// rule.
 static void compare_with_run(const char *scene, uint64_t events)
 {
     brink_run run;
@@ -47,9 +49,10 @@ START_TEST(with_logical_states_the_loop_is_the_run)
 }
 END_TEST
 
-// How far the energy is off, in steps of the potential: each state told wrongly costs a
-// whole one.  What rounding can do in 20 000 events stays far below: six components of
-// a velocity below 8 are rounded in each, together 6 * 8 * 2^-50 * 8 at the worst.
+// How far the energy is off, in steps of the potential: each state told wrongly
+// costs a whole one.  What rounding can do in 20 000 events stays far below: six
+// components of a velocity below 8 are rounded in each, together 6 * 8 * 2^-50 *
+// 8 at the worst.
 static double energy_off(const brink_conventional *c, double begin)
 {
     return fabs(brink_energy_by_position(&c->house) - begin);
@@ -100,8 +103,8 @@ START_TEST(the_stored_separation_fails)
 }
 END_TEST
 
-// [S16] section 5: "becomes stuck and repeatedly executes identical release events", and
-// "the kinetic energy increases with each event".
+// [S16] section 5: "becomes stuck and repeatedly executes identical release
+// events", and "the kinetic energy increases with each event".
 START_TEST(the_stored_separation_releases_the_same_pair_over_and_over)
 {
     brink_conventional c;
@@ -168,8 +171,8 @@ START_TEST(nudged_methods_come_through_this_time)
 }
 END_TEST
 
-// Right after an event |r| is off the step by the nudge, on the side the pair is to be
-// on, and by nothing like as much without one.
+// Right after an event |r| is off the step by the nudge, on the side the pair is
+// to be on, and by nothing like as much without one.
 START_TEST(a_nudged_pair_lies_clear_of_the_step_on_its_new_side)
 {
     brink_conventional c;

@@ -34,7 +34,8 @@ static inline void remove_the_folder(void)
     remove_all(the_folder);
 }
 
-/** A new folder, one a test; it goes when the test's process ends, unless it failed. */
+/** A new folder, one a test; it goes when the test's process ends, unless it
+ *  failed. */
 static inline const char *new_folder(void)
 {
     strcpy(the_folder, "/tmp/brink-test-XXXXXX");

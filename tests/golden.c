@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /*
- * Prints a hash of the state of some runs after a while: positions, velocities, levels,
- * clock.  golden.sh builds it by several compilers; they must all print
+ * Prints a hash of the state of some runs after a while: positions, velocities,
+ * levels, clock.  golden.sh builds it by several compilers; they must all print
  * what golden.txt says.
  */
 #include "scene.h"

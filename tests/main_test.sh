@@ -32,6 +32,8 @@ expect 2 "$brink" run a.yaml --time nan
 said '--time takes a positive number'
 expect 2 "$brink" run a.yaml --tier slow
 said '--tier is fast, plain or cr, not slow'
+expect 2 "$brink" run a.yaml --seed 4294967296
+said '--seed is below 2^32'
 expect 2 "$brink" resume a --seed 3
 said 'has no option --seed'
 expect 2 "$brink" check nowhere.yaml

@@ -181,9 +181,8 @@ static inline void family_scaled(stream *s, pair_case *p)
 /** Every number of a magnitude of its own, zeros and subnormals among them. */
 static inline void family_wild(stream *s, pair_case *p)
 {
-    double *x = p->r;
     for (int i = 0; i < 7; i++) {
-        x = i < 3 ? &p->r[i] : i < 6 ? &p->v[i - 3] : &p->sigma;
+        double *x = i < 3 ? &p->r[i] : i < 6 ? &p->v[i - 3] : &p->sigma;
         *x = stream_int(s, 0, 5) == 0 ? 0 * stream_sign(s)
                                       : stream_scaled(s, -1080, 1024);
     }

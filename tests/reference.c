@@ -84,8 +84,8 @@ static void keep_if_earlier(reference *w, uint32_t i, uint32_t j,
     }
 }
 
-/** Anything may come in, from all 27 images.  A captured pair is within half a box:
- *  it is the nearest image that goes out. */
+/** Anything may come in, from all 27 images.  A captured pair is within half a
+ *  box: it is the nearest image that goes out. */
 static void look_at(reference *w, uint32_t i, uint32_t j)
 {
     const brink_potential *p = brink_system_potential(w->system, i, j);

@@ -60,8 +60,9 @@ START_TEST(no_text_becomes_markup)
 }
 END_TEST
 
-// What would make a browser fetch something: an address in an attribute that loads, or
-// in a style sheet.  Names of XML namespaces are addresses too, and load nothing.
+// What would make a browser fetch something: an address in an attribute that
+// loads, or in a style sheet.  Names of XML namespaces are addresses too, and
+// load nothing.
 START_TEST(a_page_loads_nothing_from_anywhere)
 {
     static const char *const loads[] = {

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
 /*
- * The simulator's events are the reference's, one by one, for as long as doubles can
- * know them.
+ * The simulator's events are the reference's, one by one, for as long as doubles
+ * can know them.
  *
- * These systems are chaotic: every event magnifies a deviation, until it decides which
- * pair meets first.  How long that takes is measured, not guessed: the reference is run
- * again from velocities deflected by +-DEFLECTION relative, four times with different
- * signs, and the first event at which one of them departs from the undeflected one is
- * the floor.  The simulator must not depart before it.
+ * These systems are chaotic: every event magnifies a deviation, until it decides
+ * which pair meets first.  How long that takes is measured, not guessed: the
+ * reference is run again from velocities deflected by +-DEFLECTION relative, four
+ * times with different signs, and the first event at which one of them departs
+ * from the undeflected one is the floor.  The simulator must not depart before
+ * it.
  *
- * Why that is fair.  An event costs the simulator less than 64 roundings of 2^-53 of
- * the quantities at hand: separation and relative velocity 12, the time 8, its sum with
- * the offset 1, two positions 12, two velocities 4 each in 3 components.  Deviations
- * grow geometrically, by a bit at least every 6 events here, so what is lost at later
- * events adds less than 1 / (1 - 2^(-1/6)) < 10 times the loss of one.  All roundings
- * together are less than one deflection of 2^(6 + 4 - 53) at the start; and two bits
- * more, as four choices of signs are not all directions.
+ * Why that is fair.  An event costs the simulator less than 64 roundings of 2^-53
+ * of the quantities at hand: separation and relative velocity 12, the time 8, its
+ * sum with the offset 1, two positions 12, two velocities 4 each in 3
+ * components.  Deviations grow geometrically, by a bit at least every 6 events
+ * here, so what is lost at later events adds less than 1 / (1 - 2^(-1/6)) < 10
+ * times the loss of one.  All roundings together are less than one deflection of
+ * 2^(6 + 4 - 53) at the start; and two bits more, as four choices of signs are
+ * not all directions.
  *
- * Printed beside it: where a deflection of one rounding, 2^-53, departs.  There one
- * expects the simulator to depart, and there it does.
+ * Printed beside it: where a deflection of one rounding, 2^-53, departs.  There
+ * one expects the simulator to depart, and there it does.
  */
 #include "reference.h"
 #include "suite.h"
@@ -36,9 +38,10 @@ enum {
     BITS = 320 // departs from 256 bits later than the simulator: asserted below
 };
 
-/* Two sequences have parted when kind or pair differ, or the time by more than this:
- * two particles have only one pair to meet.  In units of sigma / thermal speed, half a
- * dozen bits below the time between events, where every deviation passes on its way up. */
+/* Two sequences have parted when kind or pair differ, or the time by more than
+ * this: two particles have only one pair to meet.  In units of sigma / thermal
+ * speed, half a dozen bits below the time between events, where every
+ * deviation passes on its way up. */
 #define TIMES_PART 0x1p-6
 
 static const char *const scenes[] = {
@@ -116,8 +119,8 @@ static void deflect(reference *w, double size, unsigned long signs)
     gsl_rng_free(rng);
 }
 
-/** The first event at which a reference of `bits`, deflected, departs from `truth`, or
- *  `most`. */
+/** The first event at which a reference of `bits`, deflected, departs from
+ *  `truth`, or `most`. */
 static int departs(const brink_system *system, mpfr_prec_t bits,
                    double deflection, unsigned long signs,
                    const reference_event *truth, int most)
@@ -133,8 +136,8 @@ static int departs(const brink_system *system, mpfr_prec_t bits,
     return n;
 }
 
-/** The first of the simulator's events that is not the reference's, or LONGEST; what the
- *  reference says up to it in truth. */
+/** The first of the simulator's events that is not the reference's, or
+ *  LONGEST; what the reference says up to it in truth. */
 static int simulator_departs(brink_run *run, reference *w, reference_event *truth)
 {
     for (int n = 0; n < LONGEST; n++) {

@@ -1,43 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Starts: where particles are put, how fast they are, and what cannot be.
-#include "kinetic.h"
-#include "species.h"
+// Starts: a scene with its files made into a system, and what is said where not.
+#include "outcome.h"
 #include "start.h"
+#include "start_kinetic.h"
 #include "suite.h"
-#include "trajectory.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-// What came of a start.
-typedef struct outcome {
-    int status;
-    brink_scene scene;
-    brink_system system;
-    char *said;
-} outcome;
-
-static outcome start(const char *text)
-{
-    outcome o = {0};
-    size_t length = 0;
-    ck_assert_int_eq(
-        brink_scene_parse(text, strlen(text), "t.yaml", "", &o.scene, stderr), 0);
-    FILE *errors = open_memstream(&o.said, &length);
-    o.status = brink_start_make(&o.scene, "t.yaml", &o.system, errors);
-    fclose(errors);
-    return o;
-}
-
-static outcome good_start(const char *text)
-{
-    outcome o = start(text);
-    ck_assert_msg(o.status == 0, "%s\n%s", text, o.said);
-    const char *fault = brink_system_is_valid(&o.system);
-    ck_assert_msg(fault == NULL, "%s\n%s", text, fault);
-    return o;
-}
 
 static void assert_refused(const char *text, const char *place, const char *words)
 {
@@ -50,155 +20,6 @@ static void assert_refused(const char *text, const char *place, const char *word
     brink_scene_destroy(&o.scene);
     free(o.said);
 }
-
-static void forget(outcome *o)
-{
-    brink_scene_destroy(&o->scene);
-    brink_system_destroy(&o->system);
-    free(o->said);
-}
-
-static double distance(const brink_system *s, uint32_t i, uint32_t j)
-{
-    double r[3];
-    brink_system_separation(s, i, j, 0.0, r);
-    return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-}
-
-static double nearest(const brink_system *s)
-{
-    double least = (double)INFINITY;
-    for (uint32_t i = 0; i < s->count; i++)
-        for (uint32_t j = 0; j < i; j++)
-            least = fmin(least, distance(s, i, j));
-    return least;
-}
-
-// Every pair, not only those a grid thinks of.
-static void assert_no_core_in_another(const brink_system *s)
-{
-    for (uint32_t i = 0; i < s->count; i++)
-        for (uint32_t j = 0; j < i; j++) {
-            const brink_potential *p = brink_system_potential(s, i, j);
-            double r[3];
-            brink_system_separation(s, i, j, 0.0, r);
-            ck_assert_msg(brink_step_level_at(p, r) < brink_potential_levels(p),
-                          "%u and %u at %a %a %a", i, j, r[0], r[1], r[2]);
-        }
-}
-
-START_TEST(the_fcc_lattice_fills_a_cube_evenly)
-{
-    outcome o = good_start("box: {number_density: 0.5}\n"
-                           "species: {A: {count: 1372, diameter: 1}}\n");
-    const double proper = o.scene.length[0] / 7 * sqrt(0.5); // 1372 = 4 * 7^3
-    // A coordinate is a sum, a quotient, a product, and a fraction and back: 5
-    // roundings of less than L 2^-53 each, twice in a difference.
-    ck_assert(fabs(nearest(&o.system) - proper) <=
-              10 * sqrt(3) * o.scene.length[0] * 0x1p-53);
-    forget(&o);
-}
-END_TEST
-
-START_TEST(every_lattice_has_room_for_every_number)
-{
-    static const struct {
-        const char *box, *lattice;
-    } starts[] = {{"box: {number_density: 0.1}", "fcc"},
-                  {"box: {number_density: 0.1}", "sc"},
-                  {"box: {size: [40, 9, 7]}", "fcc"},
-                  {"box: {size: [40, 9, 7]}", "sc"},
-                  {"dimensions: 2\nbox: {number_density: 0.2}", "square"},
-                  {"dimensions: 2\nbox: {number_density: 0.2}", "hexagonal"},
-                  {"dimensions: 2\nbox: {size: [90, 9]}", "square"},
-                  {"dimensions: 2\nbox: {size: [9, 90]}", "hexagonal"}};
-    for (size_t k = 0; k < sizeof starts / sizeof *starts; k++)
-        for (int count = 40; count <= 160; count += 7) {
-            char text[256];
-            snprintf(text, sizeof text,
-                     "%s\nstart: {lattice: %s}\n"
-                     "species: {A: {count: %d, diameter: 1}}\n",
-                     starts[k].box, starts[k].lattice, count);
-            outcome o = good_start(text);
-            assert_no_core_in_another(&o.system);
-            forget(&o);
-        }
-}
-END_TEST
-
-START_TEST(vacant_sites_are_spread_over_the_box)
-{
-    // 4 * 5 * 5 * 4 = 400 sites; in their order, 330 would leave the top layer
-    // empty.
-    outcome o = good_start("box: {number_density: 0.1}\n"
-                           "species: {A: {count: 330, diameter: 1}}\n");
-    uint32_t layers[4] = {0};
-    for (uint32_t i = 0; i < 330; i++)
-        layers[o.system.particle[i].x[2] >> 62]++;
-    for (int k = 0; k < 4; k++) { // 82.5, rounded at both ends of a layer
-        ck_assert_uint_ge(layers[k], 81);
-        ck_assert_uint_le(layers[k], 84);
-    }
-    forget(&o);
-}
-END_TEST
-
-START_TEST(species_are_numbered_in_turn_and_shuffled_over_the_sites)
-{
-    outcome o = good_start("box: {number_density: 0.1}\n"
-                           "species:\n"
-                           "  A: {count: 1000, diameter: 1, mass: 1}\n"
-                           "  B: {count: 372, diameter: 1.5, mass: 9}\n");
-    uint32_t low = 0;
-    for (uint32_t i = 0; i < 1372; i++)
-        ck_assert_uint_eq(o.system.particle[i].species, i >= 1000);
-    for (uint32_t i = 1000; i < 1372; i++)
-        low += o.system.particle[i].x[2] < UINT64_C(1) << 63;
-    // Half of 372, give or take 5 deviations of a binomial distribution, of
-    // 9.6 each.  Laid in order of the sites, all or none would be low.
-    ck_assert_uint_ge(low, 186 - 48);
-    ck_assert_uint_le(low, 186 + 48);
-    forget(&o);
-}
-END_TEST
-
-#define RANDOM "start: {random: true}\n"
-#define FEW    "species: {A: {count: 100, diameter: 1}}\n"
-#define MANY   "species: {A: {count: 300, diameter: 1}}\n"
-#define TWO_SIZES                                                                \
-    "species: {A: {count: 300, diameter: 1}, B: {count: 30, diameter: 2.5}}\n"
-
-START_TEST(random_insertion_leaves_no_core_in_another)
-{
-    static const char *const texts[] = {
-        RANDOM "box: {packing_fraction: 0.3}\n" MANY,
-        RANDOM "dimensions: 2\nbox: {packing_fraction: 0.45}\n" MANY,
-        RANDOM "box: {size: [60, 4.1, 2.05]}\n" FEW, // two cells across, and four
-        RANDOM "box: {packing_fraction: 0.3}\n" TWO_SIZES};
-    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
-        outcome o = good_start(texts[k]);
-        assert_no_core_in_another(&o.system);
-        forget(&o);
-    }
-}
-END_TEST
-
-START_TEST(random_insertion_reaches_every_part_of_the_box)
-{
-    outcome o = good_start("box: {number_density: 0.001}\nstart: {random: true}\n"
-                           "species: {A: {count: 8000, diameter: 1}}\n");
-    uint32_t octants[8] = {0};
-    for (uint32_t i = 0; i < 8000; i++) {
-        const uint64_t *x = o.system.particle[i].x;
-        octants[x[0] >> 63 | x[1] >> 63 << 1 | x[2] >> 63 << 2]++;
-    }
-    for (int k = 0; k < 8; k++) { // 1000 +- 5 sqrt(1000 * 7 / 8)
-        ck_assert_uint_ge(octants[k], 1000 - 148);
-        ck_assert_uint_le(octants[k], 1000 + 148);
-    }
-    forget(&o);
-}
-END_TEST
 
 START_TEST(where_nothing_more_fits_at_random_it_is_said)
 {
@@ -230,69 +51,6 @@ START_TEST(the_box_is_pointed_at_where_the_start_is_not_given)
 }
 END_TEST
 
-START_TEST(the_temperature_is_the_one_asked_for)
-{
-    static const int counts[] = {1, 2, 3, 10, 1000};
-    for (size_t k = 0; k < sizeof counts / sizeof *counts; k++)
-        for (int seed = 0; seed < 40; seed++) {
-            char text[256];
-            snprintf(text, sizeof text,
-                     "seed: %d\ndimensions: %d\nbox: {number_density: 0.01}\n"
-                     "species: {A: {count: %d, mass: 0.7, diameter: 0.1}}\n"
-                     "temperature: 1.%d\n",
-                     seed, 2 + seed % 2, counts[k], seed);
-            outcome o = good_start(text);
-            const double t = brink_system_temperature(&o.system);
-            ck_assert_msg(fabs(t - o.scene.temperature) <=
-                              BRINK_KINETIC_ERROR * o.scene.temperature,
-                          "%a, not %a, in\n%s", t, o.scene.temperature, text);
-            forget(&o);
-        }
-}
-END_TEST
-
-START_TEST(the_centre_of_mass_is_at_rest)
-{
-    outcome o = good_start("box: {number_density: 0.1}\nspecies: \n"
-                           "  A: {count: 700, diameter: 1, mass: 1}\n"
-                           "  B: {count: 300, diameter: 1, mass: 9}\n");
-    double p[3], sum = 0;
-    brink_system_momentum(&o.system, p);
-    for (uint32_t i = 0; i < 1000; i++)
-        for (int a = 0; a < 3; a++)
-            sum += (i < 700 ? 1 : 9) * fabs(o.system.particle[i].v[a]);
-    // What is subtracted is rounded, the difference is rounded, the product is
-    // rounded: 3 roundings of 2^-53 |m v| for each particle at the most.
-    for (int a = 0; a < 3; a++)
-        ck_assert_msg(fabs(p[a]) <= 3 * 0x1p-53 * sum, "%a", p[a]);
-    forget(&o);
-}
-END_TEST
-
-START_TEST(velocities_are_those_of_maxwell_and_boltzmann_in_every_species)
-{
-    outcome o =
-        good_start("box: {number_density: 0.1}\ntemperature: 2.5\nspecies:\n"
-                   "  A: {count: 20000, diameter: 1, mass: 1}\n"
-                   "  B: {count: 20000, diameter: 1, mass: 16}\n");
-    for (int a = 0; a < 2; a++) {
-        const int n = 60000;
-        double second = 0, fourth = 0;
-        for (int k = 0; k < n; k++) {
-            const double v = o.system.particle[20000 * a + k / 3].v[k % 3];
-            const double u2 = o.scene.species[a].mass / 2.5 * v * v;
-            second += u2 / n;
-            fourth += u2 * u2 / n;
-        }
-        // Moments of the normal distribution, 1 and 3, within 5 deviations: those
-        // of u^2 and u^4 are sqrt(3 - 1) and sqrt(105 - 9).
-        ck_assert_msg(fabs(second - 1) < 5 * sqrt(2.0 / n), "%a", second);
-        ck_assert_msg(fabs(fourth - 3) < 5 * sqrt(96.0 / n), "%a", fourth);
-    }
-    forget(&o);
-}
-END_TEST
-
 START_TEST(a_seed_is_a_start_and_another_seed_another)
 {
 #define SEEDED(n)                                                                \
@@ -309,36 +67,6 @@ START_TEST(a_seed_is_a_start_and_another_seed_another)
     forget(&one);
     forget(&same);
     forget(&other);
-}
-END_TEST
-
-START_TEST(the_year_is_a_power_of_two_near_the_time_to_an_event)
-{
-    // The mean speed is sqrt(8 / pi) = 1.596.  Dilute square wells: a meeting in
-    // 1 / (sqrt(2) 1e-3 pi 9 1.596) = 15.7, a flight of 10 in 6.27; nearest 2^3.
-    outcome o =
-        good_start("box: {number_density: 1.0e-3}\n"
-                   "species: {A: {count: 1372}}\npotentials:\n"
-                   "  - {between: [A, A], steps: [[3, -1], [1, .inf]]}\n");
-    ck_assert(o.system.year == 8.0);
-    forget(&o);
-    // Denser ones of reach 1.5: 1 / (sqrt(2) 0.5 pi 2.25 1.596) = 0.125 against
-    // 0.789.
-    o = good_start(
-        "box: {number_density: 0.5}\nspecies: {A: {count: 500}}\npotentials:\n"
-        "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n");
-    ck_assert(o.system.year == 0.125);
-    forget(&o);
-    // Discs: sqrt(pi / 2) = 1.253; 1 / (sqrt(2) 0.35 2 1.253) = 0.806 against
-    // 1.35.
-    o = good_start("dimensions: 2\nbox: {number_density: 0.35}\n"
-                   "species: {A: {count: 500, diameter: 1}}\n");
-    ck_assert(o.system.year == 1.0);
-    // At rest there is nothing to wait for.
-    for (uint32_t i = 0; i < 500; i++)
-        memset(o.system.particle[i].v, 0, sizeof o.system.particle[i].v);
-    ck_assert(brink_kinetic_year(&o.system) == 1.0);
-    forget(&o);
 }
 END_TEST
 
@@ -478,22 +206,13 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE(
-        "start", 120, the_fcc_lattice_fills_a_cube_evenly,
-        every_lattice_has_room_for_every_number,
-        vacant_sites_are_spread_over_the_box,
-        species_are_numbered_in_turn_and_shuffled_over_the_sites,
-        random_insertion_leaves_no_core_in_another,
-        random_insertion_reaches_every_part_of_the_box,
-        where_nothing_more_fits_at_random_it_is_said,
-        cores_that_overlap_on_a_lattice_are_told_with_their_distance,
-        the_box_is_pointed_at_where_the_start_is_not_given,
-        the_temperature_is_the_one_asked_for, the_centre_of_mass_is_at_rest,
-        velocities_are_those_of_maxwell_and_boltzmann_in_every_species,
-        a_seed_is_a_start_and_another_seed_another,
-        the_year_is_a_power_of_two_near_the_time_to_an_event,
-        a_file_gives_positions_and_velocities_to_the_bit,
-        a_file_of_positions_gets_velocities_at_the_temperature,
-        a_file_that_does_not_go_with_the_scene_is_refused,
-        a_file_out_of_the_plane_is_refused, every_scene_of_the_house_starts);
+    return RUN_SUITE("start", 120, where_nothing_more_fits_at_random_it_is_said,
+                     cores_that_overlap_on_a_lattice_are_told_with_their_distance,
+                     the_box_is_pointed_at_where_the_start_is_not_given,
+                     a_seed_is_a_start_and_another_seed_another,
+                     a_file_gives_positions_and_velocities_to_the_bit,
+                     a_file_of_positions_gets_velocities_at_the_temperature,
+                     a_file_that_does_not_go_with_the_scene_is_refused,
+                     a_file_out_of_the_plane_is_refused,
+                     every_scene_of_the_house_starts);
 }

@@ -11,7 +11,8 @@ enum {
     EXACT = 2200, // bits from 2^-1074 to 2^1024 and some: sums here are exact
 };
 
-/** The sum of `terms` is within 1 ulp + n^2 2^-106 sum |terms| of the exact one. */
+/** The sum of `terms` is within 1 ulp + n^2 2^-106 sum |terms| of the exact
+ *  one. */
 static void check(const brink_sum *sum, const double *x, const double *y, int n)
 {
     mpfr_t exact, product, size;
@@ -34,8 +35,9 @@ static void check(const brink_sum *sum, const double *x, const double *y, int n)
     mpfr_clears(exact, product, size, (mpfr_ptr)0);
 }
 
-/** Terms of all sizes from 2^-60 to 2^60, either sign, the second half taking the first
- *  away again but for a rounding: plain summation has not a digit right. */
+/** Terms of all sizes from 2^-60 to 2^60, either sign, the second half taking
+ *  the first away again but for a rounding: plain summation has not a digit
+ *  right. */
 static void cancelling(double x[TERMS], gsl_rng *rng)
 {
     for (int k = 0; k < TERMS / 2; k++) {
