@@ -2,248 +2,38 @@
 #ifndef BRINK_PATH_H
 #define BRINK_PATH_H
 /**
- * A pair in free flight as a polynomial, for the event times; not installed.
+ * The same source compiled for several instruction sets, the best one taken at
+ * run time; not installed.
  *
- *     f(t) = |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c
- *     a = v.v   b = r.v   c = r.r - sigma^2   d = b^2 - a c = sigma^2 a - |r x v|^2
- *
- * Three ways to it: filters, which are cheap and know when they are certain; sums that
- * carry their rounding errors along; and in brink_*_time_slow double-double and exact
- * numbers, at any magnitude.
- *
- * u = 2^-53; P = sum |r_i v_i|, R = r.r + sigma^2, Q = a R >= P^2.  Bounds are to first
- * order, and what uses them leaves room for the rest.
+ * A file that includes this first is compiled once more for each path, with
+ * BRINK_PATH defined to `any`, `fma` (AVX2 and FMA) or `avx512`; its functions,
+ * those listed below, then are brink_NAME_PATH, and path.c holds brink_NAME.
+ * Without BRINK_PATH it is compiled once, under the names it is written with.
+ * fma() is exact whether hardware or libm does it and nothing else is contracted,
+ * so every path gives the same bits.
  */
-#include "exact.h"
+#ifdef BRINK_PATH
+#define BRINK_GLUE_(name, path) name##_##path
+#define BRINK_GLUE(name, path)  BRINK_GLUE_(name, path)
+#define BRINK_ON_PATH(name)     BRINK_GLUE(name, BRINK_PATH)
 
-/** The slow ways: any input; correctly rounded; NaN outside the domain. */
-double brink_intersection_time_slow(const double r[3], const double v[3],
-                                    double sigma);
-double brink_disjoint_time_slow(const double r[3], const double v[3],
-                                double sigma);
-
-/**
- * Where sigma^2 and its products are far from over- and underflow.  What else could go
- * out of range shows in the sums themselves, and makes no fast path certain: too large,
- * a bound is infinite or not a number, and no comparison with it holds; too small, it
- * is less than the absolute part of the bound.  So nothing else is looked at first.
- */
-BRINK_INLINE int sigma_in_range(double sigma)
-{
-    return (sigma > 0x1p-450) & (sigma < 0x1p450);
-}
-
-BRINK_INLINE int is_in_range(double x)
-{
-    return (x > 0x1p-900) & (x < 0x1p1000);
-}
-
-// --- Filters -------------------------------------------------------------------------
-
-/** b, whose sign is certain where it is farther than `error` from 0. */
-typedef struct rate {
-    double value, error;
-} rate;
-
-BRINK_INLINE rate rate_of(const double r[3], const double v[3])
-{
-    double x = r[0] * v[0], y = r[1] * v[1], z = r[2] * v[2];
-    double p = fabs(x) + fabs(y) + fabs(z);
-    // The products are off by u of themselves, or 2^-1075, and the sums by 2u P.
-    return (rate){x + y + z, fma(0x1p-51, p, 0x1p-1000)};
-}
-
-BRINK_INLINE int is_positive(rate b)
-{
-    return b.value > b.error;
-}
-
-BRINK_INLINE int is_negative(rate b)
-{
-    return b.value < -b.error;
-}
-
-BRINK_INLINE double dot_rounded(const double x[3], const double y[3])
-{
-    return fma(x[0], y[0], fma(x[1], y[1], x[2] * y[2])); // 3u sum |x_i y_i|
-}
-
-/** d, and the s = sigma^2 a + |r x v|^2 that it is a difference of. */
-typedef struct chord {
-    double a, d, s;
-} chord;
-
-/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900.  sigma^2 a is
- *  off by 1u + 3u; a component of the cross product, by Kahan's way, by 2u, its square
- *  by 4u, their sum by 3u more; and d, at most half of s where it matters, by 1u. */
-BRINK_INLINE chord chord_of(const double r[3], const double v[3], double sigma)
-{
-    double xy = r[1] * v[0], yz = r[1] * v[2], zx = r[0] * v[2];
-    double z = fma(r[0], v[1], -xy) - fma(r[1], v[0], -xy);
-    double x = fma(r[1], v[2], -yz) - fma(r[2], v[1], -yz);
-    double y = fma(r[2], v[0], -zx) - fma(r[0], v[2], -zx);
-    double a = dot_rounded(v, v), ss = sigma * sigma;
-    double w = fma(x, x, fma(y, y, z * z));
-    return (chord){a, fma(ss, a, -w), fma(ss, a, w)};
-}
-
-/** Whether c > 0, certainly: r.r is off by 3u, sigma^2 by 1u. */
-BRINK_INLINE int is_far_outside(const double r[3], double sigma)
-{
-    double rr = dot_rounded(r, r), ss = sigma * sigma;
-    return rr - ss > 0x1p-51 * (rr + ss);
-}
-
-/** Certain to pass the sphere by: d < 0. */
-BRINK_INLINE int passes_by(chord k)
-{
-    return (k.a > 0x1p-900) & (k.d < -fma(0x1p-50, k.s, 0x1p-900));
-}
-
-// --- Plain: sums that carry their errors ---------------------------------------------
-
-/** b and c as unevaluated sums of two doubles, and R. */
-typedef struct sums {
-    dd b, c;
-    double size;
-} sums;
-
-BRINK_INLINE double sum_of(dd x)
-{
-    return x.hi + x.lo;
-}
-
-/** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is exact, and at
- *  most 3u of that sum in all; it is added up with five roundings. */
-BRINK_INLINE dd dot_of(const double x[3], const double y[3])
-{
-    dd p = two_prod(x[0], y[0]), q = two_prod(x[1], y[1]);
-    dd r = two_prod(x[2], y[2]);
-    dd s = two_sum(p.hi, q.hi), t = two_sum(s.hi, r.hi);
-    return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
-}
-
-/** The same with a fourth product: error of c <= 11u^2 R, of b <= 7u^2 P, where R is more
- *  than 2^-900, so that what underflows does not count.  Where |c| < R / 3 the last
- *  difference is exact, and the error of c <= 6u^2 R: u^2 R each for the three additions
- *  that the products' errors are in, and 4u^2 r.r, r.r < 2/3 R, for those with the
- *  sums'. */
-BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
-{
-    dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]);
-    dd z = two_prod(r[2], r[2]), q = two_prod(-sigma, sigma);
-    dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
-    double rest = ((x.lo + y.lo) + (z.lo + q.lo)) + ((s.lo + t.lo) + w.lo);
-    return (sums){dot_of(r, v), {w.hi, rest}, t.hi - q.hi};
-}
-
-/** Whether c is farther above or below 0 than its error. */
-BRINK_INLINE int is_outside(const sums *m)
-{
-    return sum_of(m->c) > 0x1p-102 * m->size;
-}
-
-BRINK_INLINE int is_inside(const sums *m)
-{
-    return sum_of(m->c) < -0x1p-102 * m->size;
-}
-
-/** d, and whether it is larger than 2^-44 Q, where its error <= 2.4u d.  The products are
- *  exact; what follows their leading parts is below 18u Q and takes fewer than ten
- *  roundings, which with what a, b, c are off makes 150u^2 Q, or 0.3u of 2^-44 Q. */
-typedef struct discriminant {
-    double d;
-    int certain;
-} discriminant;
-
-BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
-{
-    dd p = two_prod(m->b.hi, m->b.hi), q = two_prod(a.hi, m->c.hi);
-    double rest = fma(a.hi, m->c.lo, a.lo * m->c.hi);
-    rest = fma(2 * m->b.hi, m->b.lo, (p.lo - q.lo) - rest);
-    double d = (p.hi - q.hi) + rest; // two roundings
-    double least = fma(0x1p-44 * a.hi, m->size, 0x1p-900);
-    return (discriminant){d, (a.hi > 0x1p-900) & (d > least)};
-}
-
-/** The intersection time within 8 ulp, of a pair that approaches; -1 where it is not
- *  certain.  c is off by 1u + 6u^2 R / c <= 4u; sqrt(d), at most half of the sum, by
- *  1.2u + 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u,
- *  and 8u are at most 8 ulp. */
-BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
-{
-    discriminant d = discriminant_of(a, m);
-    double c = sum_of(m->c), root = sqrt(d.certain ? d.d : 0);
-    double t = c / (root - sum_of(m->b));
-    int later = approaching & d.certain & (c > 0x1p-52 * m->size);
-    double otherwise = approaching & is_inside(m) ? 0 : -1;
-    return later ? t : otherwise;
-}
-
-/** (root - b) / a, root^2 = b^2 - a c, without its cancellation. */
-BRINK_INLINE double later_root(double a, double b, double c, double root)
-{
-    double x = b > 0 ? -c : root - b, y = b > 0 ? root + b : a;
-    return x / y;
-}
-
-/**
- * The disjoint time within 8 ulp, of a pair that is inside, or near the surface, or that
- * is `passing`; -1 where it is not certain.  `rough` is its rate.
- *
- * d = b^2 - a c loses nothing there: a may be off by 3u, c by 1u + k, k = 6u^2 R / |c| <= 3u
- * where it is divided by, b by 1u; the product a c, d, its root, the sum and the quotient
- * by 1u each.  With w = sqrt(d) / (sqrt(d) + |b|), to first order,
- *
- *     b > 0: (1 + k) / 2w + 3 (2w - 1) / 2w + [(1 - w)^2 / w + (2w - 1) / 2w + w / 2]
- *            + w + (1 - w) + 2    for 1/2 <= w <= 1:  at most 4.8 + k, 7.8u at w = 1/2
- *     b < 0, inside:        3 / 2w in place of the terms of a:  at most 6.8u
- *     b < 0, just outside, d > 3/4 b^2:  3.3 + 1.8 + 0.5 + 2 = 7.6u
- *
- * A pair that passes by does so from its closest approach, -b / a; |b| > 4u P then, so b is
- * off by 1u + 2u: 7u.
- */
-BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
-{
-    double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb);
-    int inside = c < -0x1p-52 * m->size,
-        near = is_negative(rough) & (d > 0.75 * bb);
-    int certain = passing | (is_in_range(d) & (inside | near));
-    int now = is_positive(rough) & is_outside(m);
-    int none = passing | (d < 0), later = certain & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(none ? 0 : d));
-    t = later ? t : -1;
-    return now ? 0 : t;
-}
-
-// --- Fast ----------------------------------------------------------------------------
-
-/** Whether the squares are of moderate size, and with them all that is made of them. */
-BRINK_INLINE int are_in_range(double a, double rr, double ss)
-{
-    uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
-    all |= ((bits_of(rr + ss) >> 52) - offset) | ((bits_of(ss) >> 52) - offset);
-    return all < 512;
-}
-
-/** On the rim c and d are nothing but their errors, which need not agree: there the pair
- *  is at the sphere no later than at its closest approach, -b / a. */
-BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
-{
-    return k.a * c > -b * sum;
-}
-
-/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then. */
-BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
-{
-    double d_inside = fma(b, b, -a * c),
-           d_outside = outside.d > 0 ? outside.d : 0;
-    double d = c < 0 ? d_inside : d_outside;
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    int certain =
-        c < 0 ? is_in_range(d) : is_in_range(-b) & is_in_range(outside.s);
-    certain = certain & (a > 0x1p-900) & (c < 0x1p1000);
-    return certain ? t : -1;
-}
+#define brink_quadratic_roots         BRINK_ON_PATH(brink_quadratic_roots)
+#define brink_quadratic_roots_cr      BRINK_ON_PATH(brink_quadratic_roots_cr)
+#define brink_intersection_time       BRINK_ON_PATH(brink_intersection_time)
+#define brink_intersection_time_fast  BRINK_ON_PATH(brink_intersection_time_fast)
+#define brink_intersection_time_cr    BRINK_ON_PATH(brink_intersection_time_cr)
+#define brink_intersection_time_slow  BRINK_ON_PATH(brink_intersection_time_slow)
+#define brink_disjoint_time           BRINK_ON_PATH(brink_disjoint_time)
+#define brink_disjoint_time_fast      BRINK_ON_PATH(brink_disjoint_time_fast)
+#define brink_disjoint_time_cr        BRINK_ON_PATH(brink_disjoint_time_cr)
+#define brink_disjoint_time_slow      BRINK_ON_PATH(brink_disjoint_time_slow)
+#define brink_halfspace_time          BRINK_ON_PATH(brink_halfspace_time)
+#define brink_core_impulse            BRINK_ON_PATH(brink_core_impulse)
+#define brink_step_impulse            BRINK_ON_PATH(brink_step_impulse)
+#define brink_rim_impulse             BRINK_ON_PATH(brink_rim_impulse)
+#define brink_intersection_times      BRINK_ON_PATH(brink_intersection_times)
+#define brink_intersection_times_fast BRINK_ON_PATH(brink_intersection_times_fast)
+#define brink_disjoint_times          BRINK_ON_PATH(brink_disjoint_times)
+#define brink_disjoint_times_fast     BRINK_ON_PATH(brink_disjoint_times_fast)
+#endif
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step.h"
+#include "exact.h"
 #include "overlap.h"
-#include <math.h>
 #include <stddef.h>
 
 int brink_potential_is_valid(const brink_potential *p)

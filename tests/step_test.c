@@ -16,7 +16,8 @@ static const double one = 1;
 static const double infinite = INFINITY;
 static const brink_potential sphere = {1, &one, &infinite};
 
-/** Where an event leads from a level, or -1 where it is refused; *next is then kept. */
+/** Where an event leads from a level, or -1 where it is refused; *next is then
+ *  kept. */
 static int next_of(const brink_potential *p, int level,
                    enum brink_event_kind event)
 {
