@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The door is at the end here: no condition under which a fast path answers holds for
-// an input that is not finite or out of range; the slow paths look for those first.
+// The door is at the end here: no condition under which a fast path answers holds
+// for an input that is not finite or out of range; the slow paths look for those
+// first.
 #include "path.h"
 
 #include "event_time.h"
@@ -120,9 +121,9 @@ typedef struct fine_sums {
 } fine_sums;
 
 /**
- * Twice what discriminant_of carries: no rounding of d is left, which was off by 150u^2
- * Q.  Where d > 2^-20 Q that is 2^-78 of d; the square root halves it, and adds a few
- * u^2 like the sum.
+ * Twice what discriminant_of carries: no rounding of d is left, which was off by
+ * 150u^2 Q.  Where d > 2^-20 Q that is 2^-78 of d; the square root halves it, and
+ * adds a few u^2 like the sum.
  */
 BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
                                     double sigma)
@@ -147,7 +148,8 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
     return (fine_sums){a, b, c, sum, c_sign, is_fine};
 }
 
-/** x / y rounded, to 2^-74; or -1 where that cannot be told, or has not all its bits. */
+/** x / y rounded, to 2^-74; or -1 where that cannot be told, or has not all
+ *  its bits. */
 BRINK_INLINE double quotient_told(dd x, dd y)
 {
     double inverse = 1 / y.hi, t = x.hi * inverse; // the residual puts it right

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the fast paths were not certain: the domain, scaling by powers of two, double-
-// double, and exact numbers for the rest.  The answers are correctly rounded.
+// Where the fast paths were not certain: the domain, scaling by powers of two,
+// double-double, and exact numbers for the rest.  The answers are correctly
+// rounded.
 #include "path.h"
 
 #include "event_time_sums.h"
@@ -64,8 +65,8 @@ static double disjoint_exact(const double r[3], const double v[3], double sigma)
 
 // --- Double-double -------------------------------------------------------------
 
-/** a, b, c, d to a few u^2 of their terms' sizes, which have been scaled to about 1, and
- *  their signs. */
+/** a, b, c, d to a few u^2 of their terms' sizes, which have been scaled to
+ *  about 1, and their signs. */
 typedef struct fine_path {
     dd a, b, c, d;
     double p, size, s;          // P, R, sigma^2 a + |r x v|^2
@@ -119,8 +120,8 @@ BRINK_INLINE fine_path fine_path_of(const double r0[3], const double v0[3],
     return f;
 }
 
-/** The double nearest to t 2^unit, where t is off by `error` of itself; -1 if it cannot
- *  be told, or is not in the normal range with all its bits. */
+/** The double nearest to t 2^unit, where t is off by `error` of itself; -1 if
+ *  it cannot be told, or is not in the normal range with all its bits. */
 static double fine_rounded(dd t, double error, int unit)
 {
     double slack = error * t.hi;

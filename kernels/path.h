@@ -2,20 +2,22 @@
 #ifndef BRINK_PATH_H
 #define BRINK_PATH_H
 /**
- * The same source compiled for several instruction sets, and the best of them taken at
- * run time; not installed.
+ * The same source compiled for several instruction sets, and the best of them
+ * taken at run time; not installed.
  *
- * Where the build defines BRINK_PATH, to `any`, `fma` (AVX2 and FMA) or `avx512`, a file
- * that includes this first is being compiled for that path, and its functions, those
- * listed below, are brink_NAME_any and so on.  ROOM_path.c then makes brink_NAME of
- * them, with BRINK_DISPATCH defined.  Without either a file is compiled once, under the
- * names it is written with.  fma() is exact whether hardware or libm does it and nothing
- * else is contracted, so every path gives the same bits.
+ * Where the build defines BRINK_PATH, to `any`, `fma` (AVX2 and FMA) or `avx512`,
+ * a file that includes this first is being compiled for that path, and its
+ * functions, those listed below, are brink_NAME_any and so on.  ROOM_path.c then
+ * makes brink_NAME of them, with BRINK_DISPATCH defined.  Without either a file
+ * is compiled once, under the names it is written with.  fma() is exact whether
+ * hardware or libm does it and nothing else is contracted, so every path gives
+ * the same bits.
  *
- * The path is chosen at every call, by a load, a test and a predicted branch.  The word
- * that is looked at is filled in by the compiler's run-time library before main.  An
- * ifunc would save the test, but its resolver runs before a sanitizer is ready, and not
- * every C library has it; a pointer of our own would be global state.
+ * The path is chosen at every call, by a load, a test and a predicted branch.
+ * The word that is looked at is filled in by the compiler's run-time library
+ * before main.  An ifunc would save the test, but its resolver runs before a
+ * sanitizer is ready, and not every C library has it; a pointer of our own would
+ * be global state.
  */
 #ifdef BRINK_PATH
 #define BRINK_GLUE_(name, path) name##_##path

@@ -107,9 +107,9 @@ static inline void family_rim(stream *s, pair_case *p)
         p->r[i] = stream_near(s, p->r[i] - b / vv * p->v[i], 2);
 }
 
-/** On the rim, moving along an axis: b = r.v is a single product and certain however
- *  small, while c = r.r - sigma^2 cancels, to the last bit where r's part across the axis
- *  is (3, 4) m and sigma 5 m. */
+/** On the rim, moving along an axis: b = r.v is a single product and certain
+ *  however small, while c = r.r - sigma^2 cancels, to the last bit where r's
+ *  part across the axis is (3, 4) m and sigma 5 m. */
 static inline void family_axial(stream *s, pair_case *p)
 {
     int axis = stream_int(s, 0, 2), along = (axis + 1) % 3;
