@@ -36,8 +36,7 @@ START_TEST(a_soft_potential_leads_where_it_should)
     ck_assert_int_eq(brink_potential_levels(&soft), 4);
     for (int level = 0; level < 4; level++)
         for (int event = 0; event < 4; event++)
-            ck_assert_int_eq(next_of(&soft, level, (enum brink_event_kind)event),
-                             to[level][event]);
+            ck_assert_int_eq(next_of(&soft, level, event), to[level][event]);
 }
 END_TEST
 
@@ -47,8 +46,7 @@ START_TEST(a_hard_core_is_never_entered)
     ck_assert_int_eq(brink_potential_levels(&hard), 3);
     for (int level = 0; level < 3; level++)
         for (int event = 0; event < 4; event++)
-            ck_assert_int_eq(next_of(&hard, level, (enum brink_event_kind)event),
-                             to[level][event]);
+            ck_assert_int_eq(next_of(&hard, level, event), to[level][event]);
 }
 END_TEST
 
