@@ -10,6 +10,7 @@
  */
 #ifdef BRINK_DISPATCH
 #include "event_time.h"
+#include "impulse.h"
 #include "quadratic.h"
 
 #define HAS_FMA (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
@@ -60,6 +61,20 @@ TIME(brink_intersection_time_cr)
 TIME(brink_disjoint_time)
 TIME(brink_disjoint_time_fast)
 TIME(brink_disjoint_time_cr)
+SCALAR(double, brink_halfspace_time,
+       (const double r[3], const double v[3], const double n[3],
+        const double c[3]),
+       (r, v, n, c))
+SCALAR(double, brink_core_impulse,
+       (const double r[3], double m1, double m2, double v1[3], double v2[3]),
+       (r, m1, m2, v1, v2))
+SCALAR(int, brink_step_impulse,
+       (const double r[3], double m1, double m2, double rise,
+        enum brink_direction way, double v1[3], double v2[3], double *virial),
+       (r, m1, m2, rise, way, v1, v2, virial))
+SCALAR(int, brink_rim_impulse,
+       (const double r[3], double m1, double m2, double v1[3], double v2[3]),
+       (r, m1, m2, v1, v2))
 TIMES(brink_intersection_times)
 TIMES(brink_intersection_times_fast)
 TIMES(brink_disjoint_times)

@@ -18,7 +18,7 @@ double brink_intersection_time(const double r[3], const double v[3], double sigm
             if (passes_by(chord_of(r, v, sigma)))
                 return (double)INFINITY;
             sums m = sums_in_lanes(r, v, sigma);
-            double t = meeting_time(&m, dot_of(v, v));
+            double t = meeting_time(&m, dot_of(v, v), 1);
             if (t >= 0)
                 return t;
         }
@@ -33,11 +33,11 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
         int outside = is_far_outside(r, sigma);
         if (outside && is_positive(b))
             return 0;
-        sums m = sums_in_lanes(r, v, sigma);
-        double a = dot_rounded(v, v);
         if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma)))
-            return approach_time(&m, a);
-        double t = parting_time(&m, a, b);
+            return -sum_of(dot_of(r, v)) /
+                   dot_rounded(v, v); // as parting_time has it
+        sums m = sums_in_lanes(r, v, sigma);
+        double t = parting_time(&m, dot_rounded(v, v), b, 0);
         if (t >= 0)
             return t;
     }
@@ -50,15 +50,20 @@ double brink_intersection_time_fast(const double r[3], const double v[3],
                                     double sigma)
 {
     double b = dot_rounded(r, v);
-    if (sigma_in_range(sigma)) {
-        if (is_in_range(b))
-            return (double)INFINITY;
-        double c = dot_rounded(r, r) - sigma * sigma;
-        double t = meeting_time_fast(b, c, chord_of(r, v, sigma));
-        if (t >= 0)
-            return t;
-    }
-    return brink_intersection_time_slow(r, v, sigma);
+    if (is_in_range(b) && sigma_in_range(sigma))
+        return (double)INFINITY;
+    double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
+    chord k = chord_of(r, v, sigma);
+    if (!(are_in_range(k.a, rr, ss) && sigma > 0))
+        return brink_intersection_time_slow(r, v, sigma);
+    if (b >= 0)
+        return (double)INFINITY;
+    if (c <= 0)
+        return 0;
+    if (k.d <= 0)
+        return (double)INFINITY;
+    double sum = sqrt(k.d) - b;
+    return is_too_late(b, c, k, sum) ? -b / k.a : c / sum;
 }
 
 double brink_disjoint_time_fast(const double r[3], const double v[3],

@@ -31,8 +31,6 @@ double brink_disjoint_time_cr(const double r[3], const double v[3], double sigma
 
 double brink_halfspace_time(const double r[3], const double v[3],
                             const double n[3], const double c[3]);
-double brink_halfspace_time_cr(const double r[3], const double v[3],
-                               const double n[3], const double c[3]);
 
 void brink_intersection_times(size_t n, const double *rx, const double *ry,
                               const double *rz, const double *vx,

@@ -10,18 +10,12 @@
 #include "event_time.h"
 #include "path.h"
 
-enum { BLOCK = 128 };
+enum { BLOCK = 128, GROUP = 8 };
 
 /** Pairs from a structure of arrays. */
 typedef struct many {
     const double *rx, *ry, *rz, *vx, *vy, *vz, *sigma;
 } many;
-
-static many from(const many *p, size_t i)
-{
-    return (many){p->rx + i, p->ry + i, p->rz + i,   p->vx + i,
-                  p->vy + i, p->vz + i, p->sigma + i};
-}
 
 #define GET_PAIR(p, i)                                                           \
     const double r[3] = {p->rx[i], p->ry[i], p->rz[i]};                          \
@@ -29,27 +23,36 @@ static many from(const many *p, size_t i)
     const double sigma = p->sigma[i]
 
 typedef double scalar(const double r[3], const double v[3], double sigma);
+
 /** A block's times, or -1 for those to be looked at again. */
 typedef void glance(int n, const many *p, double *t);
 
-static void finish(int n, const many *p, double *t, scalar *kernel)
+/** Which times are -1; the number of them.  Groups without one are passed over at a
+ *  look: t has BLOCK places, those from n on are written to. */
+static int find_open(int n, double *t, int *open)
 {
-    for (int i = 0; i < n; i++)
-        if (t[i] < 0) {
-            GET_PAIR(p, i);
-            t[i] = kernel(r, v, sigma);
+    int count = 0;
+    for (int i = n; i % GROUP != 0; i++)
+        t[i] = 0;
+    for (int at = 0; at < n; at += GROUP) {
+        uint64_t signs = 0;
+        for (int k = 0; k < GROUP; k++)
+            signs |= bits_of(t[at + k]);
+        if (signs >> 63 == 0)
+            continue;
+        for (int i = at; i < at + GROUP; i++) {
+            open[count] = i;
+            count += t[i] < 0;
         }
+    }
+    return count;
 }
 
 /** Looks once more at those still open, gathered so that they lie together. */
-static void look_again(int n, const many *p, double *t, glance *second)
+static void look_again(int count, const int *open, const many *p, double *t,
+                       glance *second)
 {
-    int open[BLOCK], count = 0;
     double of[7][BLOCK], again[BLOCK];
-    for (int i = 0; i < n; i++) {
-        open[count] = i;
-        count += t[i] < 0;
-    }
     for (int k = 0; k < count; k++) {
         int i = open[k];
         of[0][k] = p->rx[i];
@@ -60,8 +63,8 @@ static void look_again(int n, const many *p, double *t, glance *second)
         of[5][k] = p->vz[i];
         of[6][k] = p->sigma[i];
     }
-    many gathered = {of[0], of[1], of[2], of[3], of[4], of[5], of[6]};
-    second(count, &gathered, again);
+    second(count, &(many){of[0], of[1], of[2], of[3], of[4], of[5], of[6]},
+           again);
     for (int k = 0; k < count; k++)
         t[open[k]] = again[k];
 }
@@ -84,9 +87,8 @@ static void meet(int n, const many *p, double *t)
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
         sums m = sums_of(r, v, sigma);
-        double time = meeting_time(&m, dot_of(v, v));
         int approaching = is_negative(rate_of(r, v)) & sigma_in_range(sigma);
-        t[i] = approaching ? time : -1;
+        t[i] = meeting_time(&m, dot_of(v, v), approaching);
     }
 }
 
@@ -94,10 +96,17 @@ static void meet_fast(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        double b = dot_rounded(r, v), c = dot_rounded(r, r) - sigma * sigma;
-        double time = meeting_time_fast(b, c, chord_of(r, v, sigma));
-        time = is_in_range(b) ? (double)INFINITY : time;
-        t[i] = sigma_in_range(sigma) ? time : -1;
+        double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
+        double c = rr - ss;
+        chord k = chord_of(r, v, sigma);
+        int certain = are_in_range(k.a, rr, ss) & (sigma > 0);
+        int never = (b >= 0) | ((c > 0) & (k.d <= 0));
+        double sum = sqrt(k.d > 0 ? k.d : 0) - b;
+        int late = is_too_late(b, c, k, sum);
+        double time = (late ? -b : c) / (late ? k.a : sum);
+        time = c > 0 ? time : 0;
+        time = never ? (double)INFINITY : time;
+        t[i] = certain ? time : -1;
     }
 }
 
@@ -107,11 +116,8 @@ static void part(int n, const many *p, double *t)
         GET_PAIR(p, i);
         rate b = rate_of(r, v);
         sums m = sums_of(r, v, sigma);
-        double a = dot_rounded(v, v), time = parting_time(&m, a, b);
-        int outside = is_far_outside(r, sigma);
         int passing = is_negative(b) & passes_by(chord_of(r, v, sigma));
-        time = outside & passing ? approach_time(&m, a) : time;
-        time = outside & is_positive(b) ? 0 : time;
+        double time = parting_time(&m, dot_rounded(v, v), b, passing);
         t[i] = sigma_in_range(sigma) ? time : -1;
     }
 }
@@ -131,19 +137,27 @@ static void part_fast(int n, const many *p, double *t)
 
 // --- The batches ---------------------------------------------------------------------
 
-/** One block after the other, the answers written when the block has been read. */
+/** One block after the other; the answers are written when a block has been read. */
 static void in_blocks(size_t n, const many *all, double *t, glance *first,
                       glance *second, scalar *kernel)
 {
-    double answer[BLOCK];
     for (size_t at = 0; at < n; at += BLOCK) {
-        int count = n - at < BLOCK ? (int)(n - at) : BLOCK;
-        many block = from(all, at);
-        first(count, &block, answer);
-        if (second)
-            look_again(count, &block, answer, second);
-        finish(count, &block, answer, kernel);
-        memcpy(t + at, answer, (size_t)count * sizeof *answer);
+        int size = n - at < BLOCK ? (int)(n - at) : BLOCK, open[BLOCK + 1];
+        const many block = {all->rx + at,   all->ry + at, all->rz + at,
+                            all->vx + at,   all->vy + at, all->vz + at,
+                            all->sigma + at};
+        const many *p = &block;
+        double answer[BLOCK];
+        first(size, p, answer);
+        int count = find_open(size, answer, open);
+        if (second && count > 0)
+            look_again(count, open, p, answer, second);
+        for (int k = 0; k < count; k++)
+            if (answer[open[k]] < 0) {
+                GET_PAIR(p, open[k]);
+                answer[open[k]] = kernel(r, v, sigma);
+            }
+        memcpy(t + at, answer, (size_t)size * sizeof *answer);
     }
 }
 

@@ -148,30 +148,35 @@ BRINK_INLINE int is_inside(const sums *m)
     return sum_of(m->c) < -0x1p-102 * m->size;
 }
 
-/** d where it is larger than 2^-44 Q, otherwise 0; error <= 2.4u d.  The products are
+/** d, and whether it is larger than 2^-44 Q, where its error <= 2.4u d.  The products are
  *  exact; what follows their leading parts is below 18u Q and takes fewer than ten
  *  roundings, which with what a, b, c are off makes 150u^2 Q, or 0.3u of 2^-44 Q. */
-BRINK_INLINE double discriminant_of(dd a, const sums *m)
+typedef struct discriminant {
+    double d;
+    int certain;
+} discriminant;
+
+BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
 {
     dd p = two_prod(m->b.hi, m->b.hi), q = two_prod(a.hi, m->c.hi);
     double rest = fma(a.hi, m->c.lo, a.lo * m->c.hi);
     rest = fma(2 * m->b.hi, m->b.lo, (p.lo - q.lo) - rest);
     double d = (p.hi - q.hi) + rest; // two roundings
     double least = fma(0x1p-44 * a.hi, m->size, 0x1p-900);
-    int certain = (a.hi > 0x1p-900) & (d > least);
-    return certain ? d : 0;
+    return (discriminant){d, (a.hi > 0x1p-900) & (d > least)};
 }
 
 /** The intersection time within 8 ulp, of a pair that approaches; -1 where it is not
  *  certain.  c is off by 1u + 6u^2 R / c <= 4u; sqrt(d), at most half of the sum, by
  *  1.2u + 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u,
  *  and 8u are at most 8 ulp. */
-BRINK_INLINE double meeting_time(const sums *m, dd a)
+BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
 {
-    double c = sum_of(m->c), d = discriminant_of(a, m);
-    double t = c / (sqrt(d) - sum_of(m->b));
-    int later = (c > 0x1p-52 * m->size) & (d > 0);
-    double otherwise = is_inside(m) ? 0 : -1;
+    discriminant d = discriminant_of(a, m);
+    double c = sum_of(m->c), root = sqrt(d.certain ? d.d : 0);
+    double t = c / (root - sum_of(m->b));
+    int later = approaching & d.certain & (c > 0x1p-52 * m->size);
+    double otherwise = approaching & is_inside(m) ? 0 : -1;
     return later ? t : otherwise;
 }
 
@@ -183,8 +188,8 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
 }
 
 /**
- * The disjoint time within 8 ulp, of a pair that is inside, or near the surface; -1 where
- * it is not certain.  `rough` is its rate.
+ * The disjoint time within 8 ulp, of a pair that is inside, or near the surface, or that
+ * is `passing`; -1 where it is not certain.  `rough` is its rate.
  *
  * d = b^2 - a c loses nothing there: a may be off by 3u, c by 1u + k, k = 6u^2 R / |c| <= 3u
  * where it is divided by, b by 1u; the product a c, d, its root, the sum and the quotient
@@ -194,44 +199,39 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
  *            + w + (1 - w) + 2    for 1/2 <= w <= 1:  at most 4.8 + k, 7.8u at w = 1/2
  *     b < 0, inside:        3 / 2w in place of the terms of a:  at most 6.8u
  *     b < 0, just outside, d > 3/4 b^2:  3.3 + 1.8 + 0.5 + 2 = 7.6u
+ *
+ * A pair that passes by does so from its closest approach, -b / a; |b| > 4u P then, so b is
+ * off by 1u + 2u: 7u.
  */
-BRINK_INLINE double parting_time(const sums *m, double a, rate rough)
+BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
 {
     double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb), root = sqrt(d > 0 ? d : 0);
-    double t = later_root(a, b, c, root);
-    int in_range = (a > 0x1p-900) & is_in_range(d);
-    int inside = c < -0x1p-52 * m->size;
-    int coming = is_negative(rough) & (d > 0.75 * bb);
-    int certain = in_range & (inside | coming),
-        now = is_positive(rough) & is_outside(m);
-    double later = certain ? t : -1;
-    return now ? 0 : later;
-}
-
-/** The time of the closest approach, where `rough` is certainly negative and a > 2^-900,
- *  within 8 ulp: |b| is then more than 4u P, so it is off by 1u + 2u, a by 3u, and the
- *  quotient by 1u. */
-BRINK_INLINE double approach_time(const sums *m, double a)
-{
-    return -sum_of(m->b) / a;
+    double bb = b * b, d = fma(-a, c, bb);
+    int inside = c < -0x1p-52 * m->size,
+        near = is_negative(rough) & (d > 0.75 * bb);
+    int certain = passing | (is_in_range(d) & (inside | near));
+    int now = is_positive(rough) & is_outside(m);
+    int none = passing | (d < 0), later = certain & (a > 0x1p-900);
+    double t = later_root(a, b, c, sqrt(none ? 0 : d));
+    t = later ? t : -1;
+    return now ? 0 : t;
 }
 
 // --- Fast ----------------------------------------------------------------------------
 
-/** Of a pair with b < 0, c below 2^1000; -1 where something is out of range. */
-BRINK_INLINE double meeting_time_fast(double b, double c, chord k)
+/** Whether the squares are of moderate size, and with them all that is made of them. */
+BRINK_INLINE int are_in_range(double a, double rr, double ss)
 {
-    double sum = sqrt(k.d > 0 ? k.d : 0) - b;
-    // On the rim c and d are nothing but their errors, which need not agree: the pair is
-    // there no later than at its closest approach, -b / a.
-    int late = k.a * c > -b * sum;
-    double t = (late ? -b : c) / (late ? k.a : sum);
-    double later = k.d > 0 ? t : (double)INFINITY;
-    double answer = c > 0 ? later : 0;
-    int certain =
-        (k.a > 0x1p-900) & is_in_range(k.s) & is_in_range(-b) & (c < 0x1p1000);
-    return certain ? answer : -1;
+    uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
+    all |= ((bits_of(rr + ss) >> 52) - offset) | ((bits_of(ss) >> 52) - offset);
+    return all < 512;
+}
+
+/** On the rim c and d are nothing but their errors, which need not agree: there the pair
+ *  is at the sphere no later than at its closest approach, -b / a. */
+BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
+{
+    return k.a * c > -b * sum;
 }
 
 /** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then. */

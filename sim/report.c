@@ -106,8 +106,15 @@ static void put(brink_report *r, const char *begin, const char *end,
 
 void brink_report_open(brink_report *r, const char *folder, const char *title)
 {
-    *r = (brink_report){.folder = strdup(folder)};
-    char *path = r->folder == NULL ? NULL : path_in(r, "index.html", ".part");
+    brink_report_open_page(r, folder, "index", title);
+}
+
+void brink_report_open_page(brink_report *r, const char *folder, const char *name,
+                            const char *title)
+{
+    *r = (brink_report){.folder = strdup(folder), .name = strdup(name)};
+    const int good = r->folder != NULL && r->name != NULL;
+    char *path = good ? path_in(r, name, ".html.part") : NULL;
     if (path == NULL) {
         fail(r, "no memory for a page");
         return;
@@ -228,8 +235,9 @@ void brink_report_figure(brink_report *r, const char *name, const char *caption,
 
 int brink_report_close(brink_report *r, FILE *errors)
 {
-    char *part = r->folder == NULL ? NULL : path_in(r, "index.html", ".part");
-    char *place = r->folder == NULL ? NULL : path_in(r, "index.html", "");
+    const int good = r->folder != NULL && r->name != NULL;
+    char *part = good ? path_in(r, r->name, ".html.part") : NULL;
+    char *place = good ? path_in(r, r->name, ".html") : NULL;
     if (r->page != NULL) {
         fputs("</main>\n</html>\n", r->page);
         int bad = ferror(r->page);
@@ -243,8 +251,9 @@ int brink_report_close(brink_report *r, FILE *errors)
     free(part);
     free(place);
     free(r->folder);
+    free(r->name);
     r->page = NULL;
-    r->folder = NULL;
+    r->folder = r->name = NULL;
     if (is_well(r))
         return 0;
     fprintf(errors, "report: %s\n", r->trouble);

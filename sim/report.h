@@ -15,6 +15,7 @@
 typedef struct brink_report {
     FILE *page;
     char *folder;
+    char *name;        // of the page
     int columns;       // of the open table
     int column;        // next to be filled; 0: no row is open
     const char *align; // of the open table
@@ -25,6 +26,10 @@ typedef struct brink_report {
 /** Begins FOLDER/index.html, in a folder that is made where it is missing.  Only
  *  brink_report_close puts the page in the place of an older one. */
 void brink_report_open(brink_report *r, const char *folder, const char *title);
+
+/** The same for FOLDER/NAME.html. */
+void brink_report_open_page(brink_report *r, const char *folder, const char *name,
+                            const char *title);
 
 /** level 1..3; formats are printf's. */
 __attribute__((format(printf, 3, 4))) void

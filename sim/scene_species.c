@@ -11,9 +11,6 @@
 // links in a pool that grows by doubling, and a mark: 229, rounded up.
 #define BYTES_PER_PARTICLE 256
 
-#define COUNT_MOST                                                               \
-    (UINT64_C(1) << 31) // a particle and its slots have 32-bit numbers
-
 #define STEPS_EXAMPLE "steps: [[3, -1], [1, .inf]], outermost first"
 
 static brink_potential *pair(brink_scene *scene, int a, int b)
@@ -66,8 +63,8 @@ static int read_one(brink_source *s, const brink_node *name,
         return 0;
     good &= !brink_value_keys(s, name->next, "a species", keys, 3);
     if (keys[0].value) {
-        good &=
-            brink_value_count(s, keys[0].value, "count", 1, COUNT_MOST, &count);
+        good &= brink_value_count(s, keys[0].value, "count", 1,
+                                  BRINK_PARTICLES_MOST, &count);
         species->count = (uint32_t)count;
     } else {
         brink_complain(s, name->at,
@@ -129,11 +126,11 @@ static int read_species(brink_source *s, brink_scene *scene,
     const uint64_t bytes = total * BYTES_PER_PARTICLE;
     const uint64_t memory =
         (uint64_t)sysconf(_SC_PHYS_PAGES) * (uint64_t)sysconf(_SC_PAGESIZE);
-    if (total > COUNT_MOST)
+    if (total > BRINK_PARTICLES_MOST)
         brink_complain(
             s, map->at,
-            "there are %llu particles\nthere can be at most %llu = 2^31",
-            (unsigned long long)total, (unsigned long long)COUNT_MOST);
+            "there are %llu particles\nthere can be at most %llu = 2^30",
+            (unsigned long long)total, (unsigned long long)BRINK_PARTICLES_MOST);
     else if (bytes > memory)
         brink_complain(
             s, map->at,

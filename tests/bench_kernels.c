@@ -27,7 +27,7 @@ static const double PATIENCE = 0.4;
 static pair_case pairs[INPUTS];
 static quadratic_case quadratics[INPUTS];
 static double
-    soa[8][INPUTS]; // the pairs again as a structure of arrays, and answers
+    soa[8][INPUTS + 40]; // the pairs again as a structure of arrays, and answers
 static volatile double sink; // so that no answer is optimised away
 
 typedef double pair_time(const double r[3], const double v[3], double sigma);

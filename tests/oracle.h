@@ -12,7 +12,9 @@
 
 // A product of four doubles lies between 2^-4296 and 2^4096: 8392 bits, and some
 // for sums.
+#ifndef ORACLE_BITS // the same with fewer bits is a rival: see rivals.h
 #define ORACLE_BITS 9000
+#endif
 #define ORACLE_N    MPFR_RNDN
 
 /** z += sign x y. */

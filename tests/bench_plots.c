@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "bench_plots.h"
+#include "study_words.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+// All positions are in decades.
+#define LEFT  (-2.0) // errors of less than 10^-2 ulp are drawn there
+#define BAND  1.1    // width of the column for what is wrong
+#define LINE  0.042  // a line of text, as a part of the height
+#define SMALL 1e-30  // for errors that are 0, and so far to the left
+
+typedef struct mark {
+    const standing *of;
+    const char *colour;
+    int is_ours, is_wrong;
+    double cost, median, max; // decades
+    double label;             // where its label stands
+} mark;
+
+typedef struct chart {
+    FILE *out;
+    int marks;
+    mark *mark;
+    double right, low, high; // of the axes, without the band
+} chart;
+
+/** Blue and green for brink, warm colours for formulas, greys for wider arithmetic. */
+static const char *colour_of(const contest *c, int k)
+{
+    static const char *const formulas[] = {"#d55e00", "#e08a00", "#cc79a7"};
+    static const char *const libraries[] = {"#a0522d", "#8a5a9e"};
+    static const char *const wide[] = {"#9aa5b5", "#76818f", "#4b545f", "#000000"};
+    int nth = 0;
+    for (int i = 0; i < k; i++)
+        nth += c->of[i].method->rank == c->of[k].method->rank;
+    switch (c->of[k].method->rank) {
+    case RANK_FAST:
+        return "#56b4e9";
+    case RANK_PLAIN:
+        return "#0072b2";
+    case RANK_CR:
+        return "#009e73";
+    case RANK_FORMULA:
+        return formulas[nth % 3];
+    case RANK_LIBRARY:
+        return libraries[nth % 2];
+    default:
+        return wide[nth % 4];
+    }
+}
+
+/** A way's name, for gnuplot's enhanced text between single quotes. */
+static brink_words name_of(const standing *s)
+{
+    brink_words w;
+    size_t n = 0;
+    for (const char *c = s->method->label; *c != '\0' && n < sizeof w.text - 3; c++) {
+        if (*c == '\'')
+            w.text[n++] = *c;
+        else if (*c == '_')
+            w.text[n++] = '\\';
+        w.text[n++] = *c;
+    }
+    w.text[n] = '\0';
+    return w;
+}
+
+static double decades(double x)
+{
+    return log10(fmax(x, SMALL));
+}
+
+static int chart_make(chart *g, const contest *c, int measure, char **script,
+                      size_t *size)
+{
+    const int n = c->problem->methods;
+    *g = (chart){open_memstream(script, size), n, calloc((size_t)n, sizeof(mark)),
+                 2, 0, 1};
+    for (int k = 0; g->mark != NULL && k < n; k++) {
+        const standing *s = &c->of[k];
+        const double max = standing_max(s, measure);
+        g->mark[k] = (mark){
+            .of = s,
+            .colour = colour_of(c, k),
+            .is_ours = s->method->rank <= RANK_CR,
+            .is_wrong = isinf(max) || (measure == 0 && measure_wrong(&s->all) > 0),
+            .cost = decades(s->ratio),
+            .median = decades(measure_quantile(&s->all, measure, 0.5)),
+            .max = decades(max),
+        };
+        if (!g->mark[k].is_wrong)
+            g->right = fmax(g->right, ceil(g->mark[k].max + 0.2));
+        g->low = fmin(g->low, g->mark[k].cost);
+        g->high = fmax(g->high, g->mark[k].cost);
+    }
+    g->low -= 0.25;
+    g->high += 0.3;
+    return g->out == NULL || g->mark == NULL ? -1 : 0;
+}
+
+static char *chart_end(chart *g, char **script)
+{
+    free(g->mark);
+    if (g->out == NULL)
+        return NULL;
+    const int bad = ferror(g->out);
+    if (fclose(g->out) != 0 || bad) {
+        free(*script);
+        return NULL;
+    }
+    return *script;
+}
+
+/** x axis in errors with the column of the wrong ones, and the half ulp. */
+static void write_error_axis(const chart *g, const char *unit, int measure)
+{
+    FILE *out = g->out;
+    const double end = g->right + BAND;
+    fprintf(out, "set logscale xy\nset xrange [10**%g:10**%g]\n", LEFT, end);
+    fprintf(out, "set xtics scale 1,0 (");
+    for (int d = (int)LEFT; d <= (int)g->right; d += d < 3 && g->right < 9 ? 1 : 3)
+        if (d <= 3)
+            fprintf(out, "'%g' 1e%d, ", pow(10, d), d);
+        else
+            fprintf(out, "'10^{%d}' 1e%d, ", d, d);
+    fprintf(out, "'wrong' 10**%g)\n", g->right + BAND / 2);
+    fprintf(out,
+            "set object 1 rectangle from first 10**%g, graph 0 to first 10**%g, "
+            "graph 1 behind fillcolor rgb '#f6eeee' fillstyle solid noborder\n",
+            g->right, end);
+    fprintf(out, "set xlabel 'error in %s'\n", unit);
+    if (measure == 0)
+        fprintf(out,
+                "set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb "
+                "'#5b6575' dt 3 lw 1.5\n"
+                "set label 1 'the best there is: ½ ulp' at 0.5, graph 1 offset "
+                "-0.4,-0.8 right tc rgb '#5b6575' font ',12'\n");
+}
+
+static int by_cost(const void *a, const void *b)
+{
+    const mark *const *x = a, *const *y = b;
+    return ((*x)->cost > (*y)->cost) - ((*x)->cost < (*y)->cost);
+}
+
+/** Labels of the wrong, or of the right ones, no nearer to each other than a line. */
+static void spread_labels(chart *g, int wrong)
+{
+    mark *column[64];
+    int n = 0;
+    const double line = LINE * (g->high - g->low);
+    for (int k = 0; k < g->marks && n < 64; k++)
+        if (g->mark[k].is_wrong == wrong)
+            column[n++] = &g->mark[k];
+    qsort(column, (size_t)n, sizeof *column, by_cost);
+    for (int k = 0; k < n; k++)
+        column[k]->label =
+            fmax(column[k]->cost, k > 0 ? column[k - 1]->label + line : -HUGE_VAL);
+}
+
+static void write_mark(const chart *g, const mark *m, int tag, int place)
+{
+    FILE *out = g->out;
+    const standing *s = m->of;
+    const double end = m->is_wrong ? g->right + BAND * (0.16 + 0.14 * place) : m->max;
+    const double begin = fmax(m->median, LEFT);
+    const char *layer = m->is_ours ? "front" : "back";
+    fprintf(out,
+            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead lc rgb "
+            "'%s' lw %s %s\n",
+            tag, begin, m->cost, fmax(end, begin), m->cost, m->colour,
+            m->is_ours ? "4" : "1.6", layer);
+    fprintf(out,
+            "set label %d '' at 10**%.4f, 10**%.4f point pt 7 ps 0.55 lc rgb '%s' "
+            "front\n",
+            tag, begin, m->cost, m->colour);
+    fprintf(out,
+            "set label %d '' at 10**%.4f, 10**%.4f point pt %d ps %s lc rgb '%s' lw 2 "
+            "front\n",
+            tag + 1, fmax(end, begin), m->cost, m->is_wrong ? 2 : 7,
+            m->is_wrong ? "0.9" : "1.1", m->colour);
+    if (m->is_wrong)
+        fprintf(out,
+                "set label %d '%s  %.3g×' at graph 1, first 10**%.4f offset 0.8,0 "
+                "tc rgb '%s' font ',13' front\n",
+                tag + 2, name_of(s).text, s->ratio, m->label, m->colour);
+    else
+        fprintf(out,
+                "set label %d '%s%s  %.3g×%s' at 10**%.4f, 10**%.4f offset 1.1,%s left "
+                "tc rgb '%s' font ',13' front boxed\n",
+                tag + 2, m->is_ours ? "{/:Bold " : "", name_of(s).text, s->ratio,
+                m->is_ours ? "}" : "", fmax(end, begin), m->label,
+                m->is_ours ? "0.75" : "0", m->colour);
+}
+
+char *bench_scatter(const contest *c, int measure)
+{
+    char *script = NULL;
+    size_t size = 0;
+    chart g;
+    if (chart_make(&g, c, measure, &script, &size) == 0) {
+        write_error_axis(&g, c->problem->measure[measure], measure);
+        fprintf(g.out, "set lmargin 8\nset rmargin 26\nunset key\n"
+                       "set style textbox opaque noborder margins 0.3,0.1\n");
+        fprintf(g.out, "set ylabel 'cost, as a multiple of “%s”' offset 1,0\n",
+                name_of(&c->of[0]).text);
+        fprintf(g.out, "set yrange [10**%g:10**%g]\n", g.low, g.high);
+        fprintf(g.out, "set ytics scale 1,0 ('1×' 1, '2×' 2, '5×' 5, '10×' 10, '100×' "
+                       "100, '1000×' 1000, '10 000×' 1e4, '100 000×' 1e5)\n");
+        spread_labels(&g, 0);
+        spread_labels(&g, 1);
+        int wrong = 0;
+        for (int k = 0; k < g.marks; k++) {
+            write_mark(&g, &g.mark[k], 10 + 3 * k, wrong % 6);
+            wrong += g.mark[k].is_wrong;
+        }
+        fprintf(g.out, "plot NaN\n");
+    }
+    return chart_end(&g, &script);
+}
+
+// --- Distributions -------------------------------------------------------------------
+
+/** A curve a twentieth of a decade at a time, until nothing is above; then down. */
+static void write_curve(const chart *g, const mark *m, int k, int measure,
+                        double bottom)
+{
+    fprintf(g->out, "$d%d << E\n", k);
+    for (double x = LEFT; x <= g->right + BAND; x += 0.05) {
+        const double above = standing_above(m->of, measure, pow(10, x));
+        fprintf(g->out, "%.6g %.6g\n", pow(10, x), fmax(above, bottom));
+        if (above == 0)
+            break;
+    }
+    fprintf(g->out, "E\n");
+}
+
+/** Where a curve has come down to `level`. */
+static double crossing(const mark *m, int measure, double level)
+{
+    double x = LEFT;
+    while (x < 30 && standing_above(m->of, measure, pow(10, x)) > level)
+        x += 0.05;
+    return x;
+}
+
+static void write_curve_label(const chart *g, const mark *m, int tag, int nth,
+                              int measure)
+{
+    const char *bold = m->is_ours ? "{/:Bold " : "", *end = m->is_ours ? "}" : "";
+    if (m->is_wrong) {
+        fprintf(g->out,
+                "set label %d '%s%s%s' at graph 1, first 10**%.4f offset 0.8,0 tc rgb "
+                "'%s' font ',13'\n",
+                tag, bold, name_of(m->of).text, end, m->label, m->colour);
+        return;
+    }
+    const double level = -1.2 - 0.42 * nth;
+    fprintf(g->out,
+            "set label %d '%s%s%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb '%s' font "
+            "',13' front boxed\n",
+            tag, bold, name_of(m->of).text, end,
+            crossing(m, measure, pow(10, level)), level, m->colour);
+}
+
+char *bench_distribution(const contest *c, int measure)
+{
+    char *script = NULL;
+    size_t size = 0;
+    chart g;
+    if (chart_make(&g, c, measure, &script, &size) == 0) {
+        const int n = c->of[0].all.n;
+        g.right = 18;
+        g.low = floor(log10(0.5 / n));
+        g.high = 0;
+        write_error_axis(&g, c->problem->measure[measure], measure);
+        fprintf(g.out, "set lmargin 10\nset rmargin 23\nunset key\n"
+                       "set style textbox opaque noborder margins 0.3,0.1\n"
+                       "set ylabel 'part of the answers with a larger error' offset 1,0\n"
+                       "set yrange [10**%g:1]\nset format y '10^{%%T}'\n"
+                       "set ytics scale 1,0 ('all' 1, '1 in 10' 0.1, '1 in 100' 0.01, "
+                       "'1 in 1000' 1e-3, '10^{-4}' 1e-4, '10^{-5}' 1e-5, '10^{-6}' "
+                       "1e-6)\n",
+                g.low);
+        int right = 0;
+        for (int k = 0; k < g.marks; k++) // labels stand where the curves end
+            g.mark[k].cost = decades(standing_above(&c->of[k], measure, 1e19));
+        spread_labels(&g, 1);
+        for (int k = 0; k < g.marks; k++) {
+            write_curve(&g, &g.mark[k], k, measure, pow(10, g.low));
+            write_curve_label(&g, &g.mark[k], 10 + k, right, measure);
+            right += !g.mark[k].is_wrong;
+        }
+        fprintf(g.out, "plot NaN");
+        for (int k = 0; k < g.marks; k++)
+            fprintf(g.out, ", \\\n    $d%d with lines lc rgb '%s' lw %s", k,
+                    g.mark[k].colour, g.mark[k].is_ours ? "3.5" : "1.8");
+        fprintf(g.out, "\n");
+    }
+    return chart_end(&g, &script);
+}

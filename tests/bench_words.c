@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "bench_words.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+brink_words bench_error(double ulps)
+{
+    brink_words w;
+    if (isinf(ulps))
+        snprintf(w.text, sizeof w.text, "∞");
+    else if (ulps >= 1e4)
+        return brink_words_scientific(ulps);
+    else
+        snprintf(w.text, sizeof w.text, "%.*f",
+                 ulps == 0 || ulps >= 10 ? 0 : ulps >= 0.1 ? 2 : 4, ulps);
+    return w;
+}
+
+brink_words bench_wrong(const standing *s)
+{
+    brink_words w;
+    const int wrong = measure_wrong(&s->all);
+    const double percent = 100 * standing_wrong(s);
+    if (wrong == 0)
+        snprintf(w.text, sizeof w.text, "none");
+    else if (wrong < 100)
+        snprintf(w.text, sizeof w.text, "%d of %.40s", wrong,
+                 brink_words_grouped((uint64_t)s->all.n).text);
+    else
+        snprintf(w.text, sizeof w.text, "%.2g %%", percent);
+    return w;
+}
+
+brink_words bench_ratio(double ratio)
+{
+    brink_words w;
+    if (ratio >= 100)
+        return brink_words_grouped((uint64_t)(ratio + 0.5));
+    snprintf(w.text, sizeof w.text, "%.*f", ratio < 3 ? 2 : ratio < 10 ? 1 : 0, ratio);
+    return w;
+}
+
+/** The contestant of this rank that has the least cost; NULL if there is none. */
+static const standing *of_rank(const contest *c, enum rank rank)
+{
+    for (int k = 0; k < c->problem->methods; k++)
+        if (c->of[k].method->rank == rank)
+            return &c->of[k];
+    return NULL;
+}
+
+static void tell_ours(FILE *out, const contest *c)
+{
+    const standing *plain = of_rank(c, RANK_PLAIN), *cr = of_rank(c, RANK_CR);
+    const char *baseline = c->of[0].method->label;
+    if (plain == NULL)
+        return;
+    const int wrong = measure_wrong(&plain->all);
+    fprintf(out, "Of %s answers of %s ",
+            brink_words_grouped((uint64_t)plain->all.n).text, plain->method->about);
+    if (wrong == 0)
+        fprintf(out, "none was wrong, and the worst was off by %s ulp",
+                bench_error(standing_max(plain, 0)).text);
+    else
+        fprintf(out, "%s were wrong", bench_wrong(plain).text);
+    fprintf(out, "; a call costs %s times what “%s” costs.",
+            bench_ratio(plain->ratio).text, baseline);
+    if (cr != NULL && measure_wrong(&cr->all) == 0 && standing_max(cr, 0) <= 0.5)
+        fprintf(out, " For %s times, every answer is the double nearest to the truth.",
+                bench_ratio(cr->ratio).text);
+}
+
+/** The rivals, those that were wrong and those that were not. */
+static void tell_rivals(FILE *out, const contest *c)
+{
+    int right = 0, rivals = 0;
+    const standing *best = NULL;
+    for (int k = 0; k < c->problem->methods; k++) {
+        const standing *s = &c->of[k];
+        if (s->method->rank <= RANK_CR)
+            continue;
+        rivals++;
+        if (measure_wrong(&s->all) > 0)
+            continue;
+        right++;
+        if (best == NULL || s->ns < best->ns)
+            best = s;
+    }
+    fprintf(out, " “%s” was wrong in %s of them.", c->of[0].method->label,
+            bench_wrong(&c->of[0]).text);
+    if (right == 0)
+        fprintf(out, " None of the %d rivals was always right.", rivals);
+    else if (right == 1)
+        fprintf(out, " The only one of %d rivals that was never wrong, %s, costs %s.",
+                rivals, best->method->label, bench_ratio(best->ratio).text);
+    else
+        fprintf(out,
+                " Of %d rivals %d were never wrong; the cheapest of them, %s, costs "
+                "%s.",
+                rivals, right, best->method->label, bench_ratio(best->ratio).text);
+}
+
+char *bench_sentences(const contest *c)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return NULL;
+    tell_ours(out, c);
+    tell_rivals(out, c);
+    return fclose(out) == 0 ? text : NULL;
+}
