@@ -116,7 +116,8 @@ static void part(int n, const many *p, double *t)
         GET_PAIR(p, i);
         rate b = rate_of(r, v);
         sums m = sums_of(r, v, sigma);
-        int passing = is_negative(b) & passes_by(chord_of(r, v, sigma));
+        int passing = is_far_outside(r, sigma) & is_negative(b) &
+                      passes_by(chord_of(r, v, sigma));
         double time = parting_time(&m, dot_rounded(v, v), b, passing);
         t[i] = sigma_in_range(sigma) ? time : -1;
     }
