@@ -9,7 +9,7 @@
  * method's rule at three places.  What one sees is due to the rule alone. Nothing
  * but the study and its tests comes here.
  */
-#include "method.h"
+#include "conventional_method.h"
 
 /** So many events running, of one pair and at one instant, and time stands still:
  * a pair that is alive needs two or three to get away from a step. */
@@ -22,7 +22,7 @@ typedef struct brink_conventional {
     uint32_t still; // events running of the same pair at the same instant
 } brink_conventional;
 
-/** As brink_run_create: takes over the system.  The rule, one of brink_method_rule or
+/** As brink_run_create: takes over the system.  The rule, brink_method_rule's or
  *  another, must outlive it.  0, -1 no memory. */
 int brink_conventional_create(brink_conventional *c, brink_system *system,
                               const brink_rule *rule);

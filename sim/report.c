@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report.h"
-#include "gnuplot.h"
+#include "report_gnuplot.h"
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>

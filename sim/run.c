@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
-#include "predict.h"
+#include "run_predict.h"
 #include <brink/impulse.h>
 #include <inttypes.h>
 #include <math.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene.h"
-#include "box.h"
-#include "species.h"
-#include "tree.h"
-#include "value.h"
+#include "scene_box.h"
+#include "scene_species.h"
+#include "scene_tree.h"
+#include "scene_value.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

@@ -27,7 +27,7 @@
  * optional: frames every dt of simulated time; a checkpoint every so many seconds
  * (60)
  */
-#include "source.h"
+#include "scene_source.h"
 #include "system.h"
 
 #define BRINK_TITLE_MOST 200

@@ -274,7 +274,7 @@ static const char *run_fault(const brink_run *run)
 {
     const brink_system *s = &run->system;
     const brink_happening *last = &run->last;
-    if (s->count == 0 || s->count > INT32_MAX / 2 || s->species_count < 1)
+    if (s->count == 0 || s->count > BRINK_PARTICLES_MOST || s->species_count < 1)
         return "its number of particles or species is not possible";
     if (run->now.epoch < s->epoch || !(run->now.offset >= 0) ||
         !(run->now.offset < s->year))

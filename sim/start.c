@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "start.h"
-#include "kinetic.h"
-#include "placement.h"
-#include "species.h"
+#include "scene_species.h"
+#include "scene_value.h"
+#include "start_kinetic.h"
+#include "start_placement.h"
 #include "trajectory.h"
-#include "value.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study.h"
-#include "findings.h"
-#include "question.h"
 #include "session.h"
 #include "start.h"
-#include "words.h"
+#include "study_findings.h"
+#include "study_question.h"
+#include "study_words.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -76,7 +76,7 @@ static int try_nudges(const brink_case *c, enum brink_method method,
     return 0;
 }
 
-// In the worker: 0 if the trial came to an end of whatever kind and is written down.
+// In the worker: 0 if the trial came to an end, of whatever kind, and is on file.
 static int work(const study *s, int job, FILE *samples)
 {
     const brink_case *c = case_of(s, job);

@@ -20,6 +20,9 @@
 #include <brink/step.h>
 #include <stddef.h>
 
+/** Particles and the two slots each has in the calendar are numbered in 31 bits. */
+#define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
+
 typedef struct brink_particle {
     uint64_t x[3]; // position: fraction of the box's length, in units of 2^-64
     double v[3];   // velocity

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "trajectory.h"
-#include "number.h"
+#include "scene_number.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PARTICLES_MOST (UINT64_C(1) << 31)
-#define COLUMNS_MOST   64
+#define COLUMNS_MOST 64
 
 static const char elements[] =
     " H He Li Be B C N O F Ne Na Mg Al Si P S Cl Ar K Ca Sc Ti V Cr Mn Fe Co Ni "
@@ -218,7 +217,8 @@ static int name_of(const char *names, uint64_t id, char name[16])
         p += length;
         colon = strchr(word, ':');
         if (!colon || colon - word > 15 ||
-            brink_integer_read(colon + 1, &count) != 1 || count > PARTICLES_MOST)
+            brink_integer_read(colon + 1, &count) != 1 ||
+            count > BRINK_PARTICLES_MOST)
             return -1;
         *colon = '\0';
         end += count;
@@ -306,7 +306,7 @@ static int read_frame(reader *r, brink_frame *frame)
     char *word[1];
     if (split(r->line, word, 1) != 1 ||
         brink_integer_read(word[0], &count) != 1 || count < 1 ||
-        count > PARTICLES_MOST)
+        count > BRINK_PARTICLES_MOST)
         return complain(r, "a frame begins with the number of its particles", "");
     if (!next_line(r))
         return complain(r, "the file ends within a frame", "");

@@ -3,7 +3,7 @@
 #define TESTS_BENCH_WORDS_H
 /** Figures of the bench as people read them. */
 #include "standing.h"
-#include "words.h"
+#include "study_words.h"
 
 /** An error: 0.42, 2.8, 39, 1.6 × 10⁸; ∞ where something is wrong. */
 brink_words bench_error(double ulps);

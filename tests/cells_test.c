@@ -187,6 +187,26 @@ START_TEST(a_particle_at_rest_never_crosses)
 }
 END_TEST
 
+START_TEST(a_particle_beyond_its_wall_by_a_rounding_crosses_at_once)
+{
+    gsl_rng *rng = seeded(7);
+    brink_system s;
+    brink_cells c;
+    brink_crossing crossing;
+    make(&s, 3, 8, 8, 8, 10, rng);
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    brink_particle *p = &s.particle[3];
+    p->v[0] = 0.5, p->v[1] = p->v[2] = 0;
+    p->x[0] = c.wall[0][c.cell[3] % (uint32_t)c.count[0] + 1] + 5;
+    const double dt = brink_cells_crossing(&c, &s, 3, 0.0, &crossing);
+    ck_assert_msg(dt == 0 && crossing.axis == 0 && crossing.way == 1, "dt %a",
+                  dt);
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
 START_TEST(the_check_sees_a_particle_in_the_wrong_list)
 {
     gsl_rng *rng = seeded(6);
@@ -211,5 +231,6 @@ int main(void)
                      what_is_ahead_is_what_was_not_adjacent_before,
                      crossings_keep_the_cell_in_step_with_the_position,
                      a_particle_at_rest_never_crosses,
+                     a_particle_beyond_its_wall_by_a_rounding_crosses_at_once,
                      the_check_sees_a_particle_in_the_wrong_list);
 }

@@ -25,14 +25,14 @@ echo "the library's symbols:"
 built=$(find "$folder/library/kernels" -name 'libbrink.a' -o -name 'libbrink.so.*.*')
 [ "$shared" = ON ] && dynamic=-D || dynamic=
 # shellcheck disable=SC2086 # a flag or nothing
-foreign=$(nm $dynamic --defined-only "$built" | awk 'NF == 3 && $2 ~ /[A-Z]/ && $3 !~ /^brink_/')
+foreign=$(nm $dynamic --defined-only "$built" |
+    awk 'NF == 3 && $2 ~ /[A-Z]/ && $3 !~ /^brink_/')
 [ -z "$foreign" ] || fail "exported without brink_: $foreign"
 allocating=$(nm -u "$built" | grep -wE '(m|c|re|aligned_)alloc|free|mmap|s?brk' || true)
 [ -z "$allocating" ] || fail "allocates: $allocating"
-if [ "$shared" = OFF ]; then # a shared one has the linker's own
-    state=$(nm --defined-only "$built" | awk 'NF == 3 && $2 ~ /[bBdDcC]/')
-    [ -z "$state" ] || fail "global state: $state"
-fi
+state=$(objdump -t "$built" |
+    awk 'NF > 3 && $(NF - 2) ~ /^(\.data|\.bss|\*COM\*)$/ && $NF !~ /^(\.|_|completed)/')
+[ -z "$state" ] || fail "global state: $state"
 echo 'int main(void) { return 0; }' >"$folder/main.c"
 "$cc" "$folder/main.c" -o "$folder/whole" \
     -Wl,--no-undefined -Wl,--whole-archive "$built" -Wl,--no-whole-archive -lm ||

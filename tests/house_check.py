@@ -5,26 +5,23 @@
 usage: house_check.py SOURCE [CC]
 
 A room is a header and what shares its stem: code, test, fuzz target, proof.  A room may
-have annexes, parts too long for one file, which share its floor and its test; NAME_part.c
-needs no header and belongs to NAME.  Prints what is wrong, one fault a line; status 1.
+have annexes, parts with a subject of their own: NAME_part belongs to NAME and stands on
+its floor.  Prints what is wrong, one fault a line; status 1.
 """
 import pathlib
 import re
 import subprocess
 import sys
 
-# Top to bottom, as in DESIGN; a room includes only what lies below it.  Annexes stand
-# in brackets behind their room.
+# Top to bottom, as in DESIGN; a room includes only what lies below it.
 FLOORS = """
     main
     study
-    question findings (energy_plot)
-    trial words
-    conventional doubts session
-    report method checkpoint observe start (kinetic placement)
-    gnuplot snapshot
-    codec lattice crowd trajectory run (predict)
-    scene (box species mix value tree source number)
+    conventional session
+    report checkpoint observe start
+    snapshot
+    codec trajectory run
+    scene
     cells calendar states
     system
     clock sum
@@ -33,12 +30,13 @@ FLOORS = """
     overlap quadratic
     root
     dyadic
-    exact (path paths)
+    path
+    exact
 """
 
 ROOT = pathlib.Path(sys.argv[1])
 CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
-HEADER_ONLY = {"exact", "path", "paths", "sum"}
+HEADER_ONLY = {"exact", "path", "sum"}
 LONGEST_LINE = 82
 faults = []
 
@@ -48,36 +46,31 @@ def fault(where, what):
 
 
 def read_floors():
-    """Room and annex names -> (floor counted from the top, room)."""
-    places = {}
-    for floor, line in enumerate(FLOORS.strip().splitlines()):
-        for room, annexes in re.findall(r"(\w+)(?: \(([\w ]+)\))?", line):
-            for name in [room, *annexes.split()]:
-                places[name] = (floor, room)
-    return places
+    """Room -> floor, counted from the top."""
+    floors = enumerate(FLOORS.strip().splitlines())
+    return {room: floor for floor, line in floors for room in line.split()}
 
 
-PLACES = read_floors()
+ROOMS = read_floors()
 
 
-def place_of(stem):
-    """Of a file: its own name's place, or that of the room it is a part of."""
-    if stem in PLACES:
-        return PLACES[stem]
-    whole = [room for room in PLACES if re.match(rf"{room}(s$|_)", stem)]
-    return PLACES[max(whole, key=len)] if whole else None
+def room_of(stem):
+    """The room that a file is, or belongs to; None."""
+    if stem in ROOMS:
+        return stem
+    whole = [room for room in ROOMS if re.match(rf"{room}(s$|_)", stem)]
+    return max(whole, key=len) if whole else None
 
 
 def check_includes(path):
-    mine = place_of(path.stem)
+    mine = room_of(path.stem)
     if mine is None:
         fault(path, "belongs to no room: give it a place in tests/house_check.py")
         return
     for include in re.findall(r'#include [<"](?:brink/)?(\w+)\.h[>"]', path.read_text()):
-        if include in PLACES and path.parent / f"{include}.h" != path:
-            theirs = PLACES[include]
-            if theirs[1] != mine[1] and theirs[0] <= mine[0]:
-                fault(path, f"includes {include}.h, which does not lie below it")
+        theirs = room_of(include)
+        if theirs not in (None, mine) and ROOMS[theirs] <= ROOMS[mine]:
+            fault(path, f"includes {include}.h, which does not lie below it")
 
 
 def exists(folder, pattern):
@@ -85,12 +78,11 @@ def exists(folder, pattern):
 
 
 def check_siblings(folder, stem, header, code):
-    _, room = PLACES[stem]
-    if not header and room != "main":
+    if not header and stem != "main":
         fault(f"{folder}/{stem}", "has no header")
     if not code and stem not in HEADER_ONLY:
         fault(f"{folder}/{stem}", "has no code")
-    if stem == room and not exists("tests", f"{stem}_test.*"):
+    if not exists("tests", f"{stem}_test.*"):
         fault(f"{folder}/{stem}", f"has no tests/{stem}_test")
 
 
@@ -99,7 +91,7 @@ def check_rooms(folder):
     stems = {p.stem for p in files}
     for path in files:
         check_includes(path)
-    for stem in stems & PLACES.keys():
+    for stem in stems & ROOMS.keys():
         has = {p.suffix for p in files if p.stem == stem}
         check_siblings(folder, stem, ".h" in has, ".c" in has)
 

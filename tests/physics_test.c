@@ -138,7 +138,7 @@ static void hard(const equation *e, const char *scene, double eta,
     make_run(&run, scene);
     const double n = run.system.count;
     const mean z =
-        compressibility(&run, settling, suite_share(400000), &temperature);
+        compressibility(&run, settling, suite_share(1000000), &temperature);
     const double expected = corrected(e, eta, &remainder);
     // N particles differ from infinitely many by about what one more in the box
     // does.
@@ -197,7 +197,7 @@ START_TEST(a_dilute_square_well_has_its_second_virial_coefficient)
                    "potentials:\n"
                    "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n");
     const mean z =
-        compressibility(&run, 50000, suite_share(400000), &temperature);
+        compressibility(&run, 50000, suite_share(1000000), &temperature);
     const double inside = exp(depth / temperature) - 1;
     const double second =
         2 * M_PI / 3 * (1 - (lambda * lambda * lambda - 1) * inside);

@@ -50,7 +50,6 @@ TIMES(quad_halfspace_time)
 TIMES(rival_halfspace_time_mpfr256)
 TIMES(rival_halfspace_time_mpfr)
 TIMES(brink_halfspace_time)
-TIMES(brink_halfspace_time_cr)
 
 static const method methods[] = {
     {"halfspace_time/naive", "as written", "n·(r - c) / -n·v", RANK_FORMULA,
@@ -67,9 +66,7 @@ static const method methods[] = {
      "the same where sums and products are exact: what all others are judged by",
      RANK_JUDGE, rival_halfspace_time_mpfr_loop, 0, 0},
     {"halfspace_time", "brink", "brink_halfspace_time", RANK_PLAIN,
-     brink_halfspace_time_loop, BRINK_EVENT_TIME_ULP, 0},
-    {"halfspace_time_cr", "brink, _cr", "brink_halfspace_time_cr", RANK_CR,
-     brink_halfspace_time_cr_loop, 0.5, 0},
+     brink_halfspace_time_loop, 0.5, 0},
 };
 
 const problem problem_halfspace_time = {

@@ -55,7 +55,7 @@ static const struct fault {
     {"dimensions: 1\n" BOX SPECIES, 1, 13, "at least 2"},
     {BOX "species: {A: {count: 0, diameter: 1}}\n", 2, 22, "at least 1"},
     {BOX "species: {A: {count: 1000000000000, diameter: 1}}\n", 2, 22,
-     "at most 2147483648"},
+     "at most 1073741824"},
     {BOX "species: {A: {count: 1e12, diameter: 1}}\n", 2, 22,
      "write 1000000000000"},
     // numbers
@@ -120,9 +120,9 @@ static const struct fault {
      "up to 15 letters"},
     {BOX "species: {A: {count: 50, diameter: 1}, A: {count: 50, diameter: 1}}\n",
      2, 40, "'A' is given again"},
-    {BOX "species: {A: {count: 2147483648, diameter: 1}, B: {count: 1, diameter: "
+    {BOX "species: {A: {count: 1073741824, diameter: 1}, B: {count: 1, diameter: "
          "1}}\n",
-     2, 10, "there are 2147483649 particles"},
+     2, 10, "there are 1073741825 particles"},
     // potentials
     {BOX SPECIES "potentials: {between: [A, A]}\n", 3, 13, "is not a list"},
     {BOX SPECIES "potentials: [1]\n", 3, 14, "where keys with values are wanted"},
@@ -311,10 +311,10 @@ END_TEST
 
 START_TEST(more_particles_than_memory_are_refused_with_the_bytes)
 {
-    // 2^31 particles of 256 bytes are 2^39; machines with as much are let off.
-    outcome o = parse(BOX "species: {A: {count: 2147483648, diameter: 1}}\n");
+    // 2^30 particles of 256 bytes are 2^38; machines with as much are let off.
+    outcome o = parse(BOX "species: {A: {count: 1073741824, diameter: 1}}\n");
     if (o.complaints)
-        ck_assert_ptr_nonnull(strstr(o.said, "need 549755813888 bytes"));
+        ck_assert_ptr_nonnull(strstr(o.said, "need 274877906944 bytes"));
     forget(&o);
 }
 END_TEST

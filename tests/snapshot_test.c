@@ -50,6 +50,7 @@ START_TEST(saved_and_loaded_half_way_a_run_ends_the_same)
         make_run(&half, scenes[k]);
         advance(&whole, 20000);
         advance(&half, 10000);
+        half.idle = 3; // as in the middle of simultaneous events
         FILE *file = write_run(&half);
         read_run(file, &loaded);
         fclose(file);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Starts: a scene with its files made into a system, and what is said where not.
-#include "kinetic.h"
 #include "outcome.h"
 #include "start.h"
+#include "start_kinetic.h"
 #include "suite.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "conventional_method.h"
 #include "folder.h"
-#include "method.h"
 #include "study.h"
 #include "suite.h"
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -112,6 +113,26 @@ START_TEST(a_trial_that_cannot_be_done_is_reported_not_swallowed)
 }
 END_TEST
 
+// A second of the processor for each process, and more to do than that: workers
+// that would come through are ended by a signal.
+START_TEST(a_worker_that_is_killed_is_reported_not_swallowed)
+{
+    const char *folder = new_folder();
+    char text[sizeof tiny + 20];
+    strcpy(text, tiny);
+    strcpy(strstr(text, "run:"), "run: {events: 1000000000}\n");
+    const struct rlimit second = {1, 2};
+    ck_assert_int_eq(setrlimit(RLIMIT_CPU, &second), 0);
+    ck_assert_int_eq(study(folder, "tiny.yaml", text), 3);
+    char *page = whole_file(folder, "index.html");
+    ck_assert_ptr_nonnull(strstr(page, "With logical states the run crashed"));
+    ck_assert_ptr_nonnull(strstr(page, "nudged position (crashed)"));
+    ck_assert_ptr_nonnull(
+        strstr(page, "algorithm 2 as printed (stood still after"));
+    free(page);
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE(
@@ -120,5 +141,6 @@ int main(void)
         a_word_is_a_scene_that_comes_with_the_program, a_bad_scene_is_refused,
         a_scene_that_runs_for_a_time_is_refused,
         a_folder_that_cannot_be_made_is_refused,
-        a_trial_that_cannot_be_done_is_reported_not_swallowed);
+        a_trial_that_cannot_be_done_is_reported_not_swallowed,
+        a_worker_that_is_killed_is_reported_not_swallowed);
 }

@@ -102,5 +102,6 @@ int same_state(const brink_run *a, const brink_run *b)
            memcmp(a->calendar.entry, b->calendar.entry,
                   2 * n * sizeof *a->calendar.entry) == 0 &&
            memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&
-           brink_instant_compare(a->now, b->now) == 0 && same_levels(a, b);
+           brink_instant_compare(a->now, b->now) == 0 && a->idle == b->idle &&
+           same_levels(a, b);
 }
