@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench_plots.h"
-#include "study_words.h"
+#include "bench_words.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -8,6 +8,10 @@
 #define LEFT  (-2.0) // errors of less than 10^-2 ulp are drawn there
 #define BAND  1.1    // width of the column for what is wrong
 #define LINE  0.042  // a line of text, as a part of the height
+#define FRAME                                                                    \
+    "set terminal svg size 860,540 dynamic enhanced font 'sans-serif,14' "       \
+    "background '#ffffff'\nunset key\nset tmargin 3\n"                           \
+    "set style textbox opaque noborder margins 0.3,0.1\n"
 #define SMALL 1e-30  // for errors that are 0, and so far to the left
 
 typedef struct mark {
@@ -91,6 +95,8 @@ static int chart_make(chart *g, const contest *c, int measure, char **script,
         };
         if (!g->mark[k].is_wrong)
             g->right = fmax(g->right, ceil(g->mark[k].max + 0.2));
+        if (isfinite(g->mark[k].median))
+            g->right = fmax(g->right, ceil(g->mark[k].median + 0.2));
         g->low = fmin(g->low, g->mark[k].cost);
         g->high = fmax(g->high, g->mark[k].cost);
     }
@@ -119,7 +125,7 @@ static void write_error_axis(const chart *g, const char *unit, int measure)
     const double end = g->right + BAND;
     fprintf(out, "set logscale xy\nset xrange [10**%g:10**%g]\n", LEFT, end);
     fprintf(out, "set xtics scale 1,0 (");
-    for (int d = (int)LEFT; d <= (int)g->right; d += d < 3 && g->right < 9 ? 1 : 3)
+    for (int d = (int)LEFT; d < (int)g->right; d += d < 3 && g->right < 9 ? 1 : 3)
         if (d <= 3)
             fprintf(out, "'%g' 1e%d, ", pow(10, d), d);
         else
@@ -132,10 +138,10 @@ static void write_error_axis(const chart *g, const char *unit, int measure)
     fprintf(out, "set xlabel 'error in %s'\n", unit);
     if (measure == 0)
         fprintf(out,
-                "set arrow 1 from 0.5, graph 0 to 0.5, graph 1 nohead lc rgb "
+                "set arrow 1 from 0.5, graph 0 to 0.5, graph 1.02 nohead lc rgb "
                 "'#5b6575' dt 3 lw 1.5\n"
-                "set label 1 'the best there is: ½ ulp' at 0.5, graph 1 offset "
-                "-0.4,-0.8 right tc rgb '#5b6575' font ',12'\n");
+                "set label 1 '½ ulp: nothing is nearer' at 0.5, graph 1.03 center offset "
+                "0,0.3 tc rgb '#5b6575' font ',12'\n");
 }
 
 static int by_cost(const void *a, const void *b)
@@ -144,7 +150,8 @@ static int by_cost(const void *a, const void *b)
     return ((*x)->cost > (*y)->cost) - ((*x)->cost < (*y)->cost);
 }
 
-/** Labels of the wrong, or of the right ones, no nearer to each other than a line. */
+/** Labels of the wrong, or of the right ones, no nearer to each other than a line.  Those
+ * of the right ones stand above their marks, out of the way of others' lines. */
 static void spread_labels(chart *g, int wrong)
 {
     mark *column[64];
@@ -155,43 +162,65 @@ static void spread_labels(chart *g, int wrong)
             column[n++] = &g->mark[k];
     qsort(column, (size_t)n, sizeof *column, by_cost);
     for (int k = 0; k < n; k++)
-        column[k]->label =
-            fmax(column[k]->cost, k > 0 ? column[k - 1]->label + line : -HUGE_VAL);
+        column[k]->label = fmax(column[k]->cost + (wrong ? 0 : 0.75 * line),
+                                k > 0 ? column[k - 1]->label + line : -HUGE_VAL);
+}
+
+/** What stands in the column: a cross, and the name in the margin. */
+static void write_wrong(const chart *g, const mark *m, int tag, double x)
+{
+    const standing *s = m->of;
+    const double end = g->right + BAND;
+    fprintf(g->out,
+            "set label %d '' at 10**%.4f, 10**%.4f point pt 2 ps 0.9 lc rgb '%s' lw 2 "
+            "front\n",
+            tag, x, m->cost, m->colour);
+    fprintf(g->out,
+            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead lc rgb "
+            "'%s' lw 0.7\n",
+            tag, x, m->cost, end, m->label, m->colour);
+    fprintf(g->out,
+            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb '%s' "
+            "font ',13'\n",
+            tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
+            bench_ratio(s->ratio).text, m->is_ours ? "}" : "", end, m->label,
+            m->colour);
+}
+
+static void write_right(const chart *g, const mark *m, int tag, double x)
+{
+    const standing *s = m->of;
+    const int far = m->max > g->right - 2; // no room to the right of it
+    fprintf(g->out,
+            "set label %d '' at 10**%.4f, 10**%.4f point pt 7 ps 1.1 lc rgb '%s' "
+            "front\n",
+            tag, x, m->cost, m->colour);
+    fprintf(g->out,
+            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset %s,0 %s tc rgb '%s' "
+            "font ',13' front\n",
+            tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
+            bench_ratio(s->ratio).text, m->is_ours ? "}" : "", x, m->label,
+            far ? "-0.5" : "0.9", far ? "right" : "left", m->colour);
 }
 
 static void write_mark(const chart *g, const mark *m, int tag, int place)
 {
-    FILE *out = g->out;
-    const standing *s = m->of;
-    const double end = m->is_wrong ? g->right + BAND * (0.16 + 0.14 * place) : m->max;
-    const double begin = fmax(m->median, LEFT);
-    const char *layer = m->is_ours ? "front" : "back";
-    fprintf(out,
+    const double column = g->right + BAND * (0.16 + 0.14 * place);
+    const double begin = isinf(m->median) ? column : fmax(m->median, LEFT);
+    const double end = m->is_wrong ? column : fmax(m->max, begin);
+    fprintf(g->out,
             "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead lc rgb "
             "'%s' lw %s %s\n",
-            tag, begin, m->cost, fmax(end, begin), m->cost, m->colour,
-            m->is_ours ? "4" : "1.6", layer);
-    fprintf(out,
+            tag, begin, m->cost, end, m->cost, m->colour, m->is_ours ? "4" : "1.6",
+            m->is_ours ? "front" : "back");
+    fprintf(g->out,
             "set label %d '' at 10**%.4f, 10**%.4f point pt 7 ps 0.55 lc rgb '%s' "
             "front\n",
             tag, begin, m->cost, m->colour);
-    fprintf(out,
-            "set label %d '' at 10**%.4f, 10**%.4f point pt %d ps %s lc rgb '%s' lw 2 "
-            "front\n",
-            tag + 1, fmax(end, begin), m->cost, m->is_wrong ? 2 : 7,
-            m->is_wrong ? "0.9" : "1.1", m->colour);
     if (m->is_wrong)
-        fprintf(out,
-                "set label %d '%s  %.3g×' at graph 1, first 10**%.4f offset 0.8,0 "
-                "tc rgb '%s' font ',13' front\n",
-                tag + 2, name_of(s).text, s->ratio, m->label, m->colour);
+        write_wrong(g, m, tag + 1, end);
     else
-        fprintf(out,
-                "set label %d '%s%s  %.3g×%s' at 10**%.4f, 10**%.4f offset 1.1,%s left "
-                "tc rgb '%s' font ',13' front boxed\n",
-                tag + 2, m->is_ours ? "{/:Bold " : "", name_of(s).text, s->ratio,
-                m->is_ours ? "}" : "", fmax(end, begin), m->label,
-                m->is_ours ? "0.75" : "0", m->colour);
+        write_right(g, m, tag + 1, end);
 }
 
 char *bench_scatter(const contest *c, int measure)
@@ -201,8 +230,9 @@ char *bench_scatter(const contest *c, int measure)
     chart g;
     if (chart_make(&g, c, measure, &script, &size) == 0) {
         write_error_axis(&g, c->problem->measure[measure], measure);
-        fprintf(g.out, "set lmargin 8\nset rmargin 26\nunset key\n"
-                       "set style textbox opaque noborder margins 0.3,0.1\n");
+        fprintf(g.out, FRAME "set lmargin 8\nset rmargin 27\n"
+                       "set label 2 '↙ better' at graph 0, graph 0 offset 1,0.8 tc rgb "
+                       "'#5b6575' font ',12'\n");
         fprintf(g.out, "set ylabel 'cost, as a multiple of “%s”' offset 1,0\n",
                 name_of(&c->of[0]).text);
         fprintf(g.out, "set yrange [10**%g:10**%g]\n", g.low, g.high);
@@ -212,7 +242,7 @@ char *bench_scatter(const contest *c, int measure)
         spread_labels(&g, 1);
         int wrong = 0;
         for (int k = 0; k < g.marks; k++) {
-            write_mark(&g, &g.mark[k], 10 + 3 * k, wrong % 6);
+            write_mark(&g, &g.mark[k], 10 + 4 * k, wrong % 6);
             wrong += g.mark[k].is_wrong;
         }
         fprintf(g.out, "plot NaN\n");
@@ -275,8 +305,7 @@ char *bench_distribution(const contest *c, int measure)
         g.low = floor(log10(0.5 / n));
         g.high = 0;
         write_error_axis(&g, c->problem->measure[measure], measure);
-        fprintf(g.out, "set lmargin 10\nset rmargin 23\nunset key\n"
-                       "set style textbox opaque noborder margins 0.3,0.1\n"
+        fprintf(g.out, FRAME "set lmargin 10\nset rmargin 23\n"
                        "set ylabel 'part of the answers with a larger error' offset 1,0\n"
                        "set yrange [10**%g:1]\nset format y '10^{%%T}'\n"
                        "set ytics scale 1,0 ('all' 1, '1 in 10' 0.1, '1 in 100' 0.01, "

@@ -107,6 +107,11 @@ FORMULA double NAME(rate)(const double r[3], const double v[3])
     return (double)NAME(dot)(r, v);
 }
 
+FORMULA double NAME(halfspace_rate)(const double v[3], const double n[3])
+{
+    return (double)NAME(dot)(v, n);
+}
+
 FORMULA double NAME(ball_at)(const double r[3], const double v[3], double sigma,
                              double t)
 {

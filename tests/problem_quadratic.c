@@ -89,7 +89,7 @@ static const method methods[] = {
      RANK_WIDE, rival_roots_mpfr256_loop, 0, 0},
     {"quadratic/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
-     RANK_WIDE, rival_roots_mpfr_loop, 0, 0},
+     RANK_JUDGE, rival_roots_mpfr_loop, 0, 0},
     {"quadratic_roots", "brink", "brink_quadratic_roots", RANK_PLAIN,
      brink_quadratic_roots_loop, BRINK_QUADRATIC_ULP, 0},
     {"quadratic_roots_cr", "brink, _cr", "brink_quadratic_roots_cr", RANK_CR,

@@ -100,28 +100,11 @@ static int is_at_the_end(const verdict *v, const real *exact)
            (fabs(exact->nearest) < 0x1p-1022 || isinf(exact->nearest));
 }
 
-/** By the time alone. */
-static verdict judge_time(const real *exact, double t)
-{
-    verdict v = {WRONG_NOT, {real_ulps(t, exact), -1}};
-    if (t == exact->hi && (t == 0 || isinf(t)))
-        v.error[0] = -1;
-    if (isnan(t) || t < 0)
-        v.wrong = WRONG_SPURIOUS;
-    else if (isinf(t) && real_is_spurious(t, exact))
-        v.wrong = WRONG_MISSED;
-    else if (!isinf(t) && isinf(exact->hi))
-        v.wrong = WRONG_INVENTED;
-    else if ((t > 0 && exact->hi == 0) || (t == 0 && real_is_spurious(t, exact)))
-        v.wrong = WRONG_NOW;
-    return v;
-}
-
 static verdict judge_intersection(const double *x, const truth *t, int n,
                                   const double *y)
 {
     (void)n;
-    verdict v = judge_time(&t->x[0], y[0]);
+    verdict v = problem_judge_time(&t->x[0], y[0]);
     if (v.wrong == WRONG_SPURIOUS)
         v.error[1] = (double)INFINITY;
     else if (v.error[0] >= 0 && !is_at_the_end(&v, &t->x[0]))
@@ -134,7 +117,7 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
 {
     (void)n;
     const real *exact = &t->x[0];
-    verdict v = judge_time(exact, y[0]);
+    verdict v = problem_judge_time(exact, y[0]);
     if (isinf(y[0]) != isinf(exact->nearest) || v.wrong == WRONG_SPURIOUS)
         v.error[1] = (double)INFINITY;
     else if (v.error[0] >= 0 && !is_at_the_end(&v, exact))
@@ -191,7 +174,7 @@ static const method intersections[] = {
      rival_intersection_mpfr256_loop, 0, 0},
     {"intersection/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
-     RANK_WIDE, rival_intersection_mpfr_loop, 0, 0},
+     RANK_JUDGE, rival_intersection_mpfr_loop, 0, 0},
     {"intersection_time_fast", "brink, _fast", "brink_intersection_time_fast",
      RANK_FAST, brink_intersection_time_fast_loop, BRINK_EVENT_TIME_GAP, 1},
     {"intersection_time", "brink", "brink_intersection_time", RANK_PLAIN,
@@ -219,7 +202,7 @@ static const method disjoints[] = {
      RANK_WIDE, rival_disjoint_mpfr256_loop, 0, 0},
     {"disjoint/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
-     RANK_WIDE, rival_disjoint_mpfr_loop, 0, 0},
+     RANK_JUDGE, rival_disjoint_mpfr_loop, 0, 0},
     {"disjoint_time_fast", "brink, _fast", "brink_disjoint_time_fast", RANK_FAST,
      brink_disjoint_time_fast_loop, BRINK_EVENT_TIME_GAP, 1},
     {"disjoint_time", "brink", "brink_disjoint_time", RANK_PLAIN,

@@ -7,6 +7,14 @@ const problem *const problems[] = {
     &problem_quadratic,
     &problem_intersection,
     &problem_disjoint,
+    &problem_halfspace_time,
+    &problem_ball,
+    &problem_rate,
+    &problem_ball_at,
+    &problem_rate_at,
+    &problem_halfspace,
+    &problem_halfspace_rate,
+    &problem_halfspace_at,
 };
 const int problem_count = sizeof problems / sizeof *problems;
 
@@ -115,4 +123,20 @@ int real_is_spurious(double x, const real *exact)
 {
     // The widest bound that any kernel states is 8 ulp.
     return (x == 0 || !isfinite(x)) && real_ulps(x, exact) > 8;
+}
+
+verdict problem_judge_time(const real *exact, double t)
+{
+    verdict v = {WRONG_NOT, {real_ulps(t, exact), -1}};
+    if (t == exact->hi && (t == 0 || isinf(t)))
+        v.error[0] = -1;
+    if (isnan(t) || t < 0)
+        v.wrong = WRONG_SPURIOUS;
+    else if (isinf(t) && real_is_spurious(t, exact))
+        v.wrong = WRONG_MISSED;
+    else if (!isinf(t) && isinf(exact->hi))
+        v.wrong = WRONG_INVENTED;
+    else if ((t > 0 && exact->hi == 0) || (t == 0 && real_is_spurious(t, exact)))
+        v.wrong = WRONG_NOW;
+    return v;
 }

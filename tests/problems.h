@@ -9,7 +9,7 @@
 #include "random.h"
 #include <mpfr.h>
 
-enum { PROBLEM_INPUTS = 13, PROBLEM_OUTPUTS = 7 };
+enum { PROBLEM_INPUTS = 14, PROBLEM_OUTPUTS = 7 };
 
 /** n cases twice over: case by case, and as a structure of arrays for batches. */
 typedef struct inputs {
@@ -46,6 +46,7 @@ enum wrong {
     WRONG_INVENTED,
     WRONG_NOW, // now for later, or later for now
     WRONG_SIGN,
+    WRONG_SIDE,     // crossed for reflected, or reflected for crossed
     WRONG_SPURIOUS, // 0, infinity or NaN for a number
     WRONG_KINDS
 };
@@ -61,7 +62,18 @@ typedef struct verdict {
 } verdict;
 
 /** What a way is, for how it is drawn and told. */
-enum rank { RANK_FAST, RANK_PLAIN, RANK_CR, RANK_FORMULA, RANK_LIBRARY, RANK_WIDE };
+enum rank {
+    RANK_FAST,
+    RANK_PLAIN,
+    RANK_CR,
+    RANK_SIGN, // answers with a sign alone
+    RANK_FORMULA, // here begin the rivals
+    RANK_LIBRARY,
+    RANK_WIDE,
+    RANK_JUDGE // what all others are judged by
+};
+
+typedef verdict judge_of(const double *x, const truth *, int n, const double *y);
 
 typedef struct method {
     const char *name;  // on the command line: a kernel's own, or problem/rival
@@ -75,15 +87,17 @@ typedef struct method {
 
 typedef struct problem {
     const char *name;  // of files
-    const char *title; // of a figure
+    const char *title; // of a section
     const char *about;
     int width, outputs;
+    const signed char *paste; // where the numbers of a line of tests/*.wc are among
+    int pasted;               // the inputs, -1 for a 0; NULL: as they come
     int families;
     const char *(*family)(int);
     void (*make)(int family, stream *, double *x);
     const char *usual; // the family over which costs are compared
     void (*solve)(const double *x, truth *);
-    verdict (*judge)(const double *x, const truth *, int n, const double *y);
+    judge_of *judge, *judge_sign;
     const char *measure[MEASURES]; // what the errors are counted in
     int methods;
     const method *method; // the first is the baseline of costs
@@ -117,6 +131,9 @@ double real_ulps(double x, const real *exact);
 /** Whether 0, an infinity or NaN stands for something that is nothing of the kind: by
  * more than any rounding to a subnormal or at the edge of the range explains. */
 int real_is_spurious(double x, const real *exact);
+
+/** Of an event's time t: whether there is one, and when.  By the first measure. */
+verdict problem_judge_time(const real *exact, double t);
 
 /** The loop over a kernel: `call` with *p, the inputs of case i, into *out. */
 #define LOOP(name, call)                                                         \

@@ -64,3 +64,9 @@ double rival_disjoint_printed(const double r[3], const double v[3], double sigma
         return fmax(0, (sqrt(arg) - f.b) / f.a);
     return fmax(0, -f.c / (sqrt(arg) + f.b));
 }
+
+double rival_ball_factored(const double r[3], double sigma)
+{
+    const double length = sqrt(double_dot(r, r));
+    return (length - sigma) * (length + sigma);
+}

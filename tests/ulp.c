@@ -58,8 +58,10 @@ static void print_worst(const problem *p, const method *m, int family,
         const double *x = in->rows + (size_t)s->worst[k] * (size_t)p->width;
         printf("# %s, %s %d of seed %" PRIu64 "\n", m->name, p->family(family),
                s->worst[k], seed);
-        for (int i = 0; i < p->width; i++)
-            printf("%s%a", i > 0 ? " " : "", x[i]);
+        for (int i = 0; i < (p->paste != NULL ? p->pasted : p->width); i++) {
+            const int from = p->paste != NULL ? p->paste[i] : i;
+            printf("%s%a", i > 0 ? " " : "", from < 0 ? 0 : x[from]);
+        }
         printf("\n");
     }
     inputs_free(in);
