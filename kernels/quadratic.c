@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // u = 2^-53; error bounds are relative and to first order.
-#include "paths.h"
+#include "isa.h"
 
 #include "quadratic.h"
 #include "root.h"

@@ -14,14 +14,16 @@
 
 typedef struct settings {
     const char *out;
-    int cases; // a family
+    int cases;      // a family
     double seconds; // a problem's costs
     uint64_t seed;
 } settings;
 
 static const char *const wrong_heads[WRONG_KINDS] = {
-    [WRONG_MISSED] = "missed", [WRONG_INVENTED] = "invented",
-    [WRONG_NOW] = "now for later", [WRONG_SIGN] = "wrong sign",
+    [WRONG_MISSED] = "missed",
+    [WRONG_INVENTED] = "invented",
+    [WRONG_NOW] = "now for later",
+    [WRONG_SIGN] = "wrong sign",
     [WRONG_SPURIOUS] = "0, ∞ or NaN"};
 
 static int is_seen(const contest *c, enum wrong kind)
@@ -54,7 +56,8 @@ static void write_summary(brink_report *r, const contest *c)
             head[columns] = wrong_heads[k], align[columns++] = 'r';
     char caption[400];
     snprintf(caption, sizeof caption,
-             "Of %s cases: cost as a multiple of the first line's, on %s input; errors in ulp; "
+             "Of %s cases: cost as a multiple of the first line's, on %s input; "
+             "errors in ulp; "
              "what was wrong, counted.",
              brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual);
     brink_report_table(r, caption, columns, align, head);
@@ -89,7 +92,8 @@ static void write_families(brink_report *r, const contest *c)
         align[columns++] = 'r';
     }
     char caption[200];
-    snprintf(caption, sizeof caption, "Wrong answers of %s in each family of inputs.",
+    snprintf(caption, sizeof caption,
+             "Wrong answers of %s in each family of inputs.",
              brink_words_grouped((uint64_t)c->of[0].family[0].n).text);
     brink_report_table(r, caption, columns, align, head);
     for (int f = 0; f < p->families; f++) {
@@ -120,7 +124,8 @@ static void write_contest(brink_report *r, const contest *c)
     free(sentences);
     snprintf(name, sizeof name, "kernels-%s", p->name);
     draw(r, bench_scatter(c, 0), name,
-         "Each line is a way to the answer, from its median error to its worst one.");
+         "Each line is a way to the answer, from its median error to its worst "
+         "one.");
     snprintf(name, sizeof name, "kernels-%s-errors", p->name);
     draw(r, bench_distribution(c, 0), name,
          "The part of the answers whose error exceeds x.");

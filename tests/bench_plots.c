@@ -5,14 +5,14 @@
 #include <stdlib.h>
 
 // All positions are in decades.
-#define LEFT  (-2.0) // errors of less than 10^-2 ulp are drawn there
-#define BAND  1.1    // width of the column for what is wrong
-#define LINE  0.042  // a line of text, as a part of the height
+#define LEFT (-2.0) // errors of less than 10^-2 ulp are drawn there
+#define BAND 1.1    // width of the column for what is wrong
+#define LINE 0.042  // a line of text, as a part of the height
 #define FRAME                                                                    \
     "set terminal svg size 860,540 dynamic enhanced font 'sans-serif,14' "       \
     "background '#ffffff'\nunset key\nset tmargin 3\n"                           \
     "set style textbox opaque noborder margins 0.3,0.1\n"
-#define SMALL 1e-30  // for errors that are 0, and so far to the left
+#define SMALL 1e-30 // for errors that are 0, and so far to the left
 
 typedef struct mark {
     const standing *of;
@@ -29,12 +29,14 @@ typedef struct chart {
     double right, low, high; // of the axes, without the band
 } chart;
 
-/** Blue and green for brink, warm colours for formulas, greys for wider arithmetic. */
+/** Blue and green for brink, warm colours for formulas, greys for wider
+ * arithmetic. */
 static const char *colour_of(const contest *c, int k)
 {
     static const char *const formulas[] = {"#d55e00", "#e08a00", "#cc79a7"};
     static const char *const libraries[] = {"#a0522d", "#8a5a9e"};
-    static const char *const wide[] = {"#9aa5b5", "#76818f", "#4b545f", "#000000"};
+    static const char *const wide[] = {"#9aa5b5", "#76818f", "#4b545f",
+                                       "#000000"};
     int nth = 0;
     for (int i = 0; i < k; i++)
         nth += c->of[i].method->rank == c->of[k].method->rank;
@@ -59,7 +61,8 @@ static brink_words name_of(const standing *s)
 {
     brink_words w;
     size_t n = 0;
-    for (const char *c = s->method->label; *c != '\0' && n < sizeof w.text - 3; c++) {
+    for (const char *c = s->method->label; *c != '\0' && n < sizeof w.text - 3;
+         c++) {
         if (*c == '\'')
             w.text[n++] = *c;
         else if (*c == '_')
@@ -79,8 +82,12 @@ static int chart_make(chart *g, const contest *c, int measure, char **script,
                       size_t *size)
 {
     const int n = c->problem->methods;
-    *g = (chart){open_memstream(script, size), n, calloc((size_t)n, sizeof(mark)),
-                 2, 0, 1};
+    *g = (chart){open_memstream(script, size),
+                 n,
+                 calloc((size_t)n, sizeof(mark)),
+                 2,
+                 0,
+                 1};
     for (int k = 0; g->mark != NULL && k < n; k++) {
         const standing *s = &c->of[k];
         const double max = standing_max(s, measure);
@@ -88,7 +95,8 @@ static int chart_make(chart *g, const contest *c, int measure, char **script,
             .of = s,
             .colour = colour_of(c, k),
             .is_ours = s->method->rank <= RANK_CR,
-            .is_wrong = isinf(max) || (measure == 0 && measure_wrong(&s->all) > 0),
+            .is_wrong =
+                isinf(max) || (measure == 0 && measure_wrong(&s->all) > 0),
             .cost = decades(s->ratio),
             .median = decades(measure_quantile(&s->all, measure, 0.5)),
             .max = decades(max),
@@ -140,7 +148,8 @@ static void write_error_axis(const chart *g, const char *unit, int measure)
         fprintf(out,
                 "set arrow 1 from 0.5, graph 0 to 0.5, graph 1.02 nohead lc rgb "
                 "'#5b6575' dt 3 lw 1.5\n"
-                "set label 1 '½ ulp: nothing is nearer' at 0.5, graph 1.03 center offset "
+                "set label 1 '½ ulp: nothing is nearer' at 0.5, graph 1.03 "
+                "center offset "
                 "0,0.3 tc rgb '#5b6575' font ',12'\n");
 }
 
@@ -150,8 +159,9 @@ static int by_cost(const void *a, const void *b)
     return ((*x)->cost > (*y)->cost) - ((*x)->cost < (*y)->cost);
 }
 
-/** Labels of the wrong, or of the right ones, no nearer to each other than a line.  Those
- * of the right ones stand above their marks, out of the way of others' lines. */
+/** Labels of the wrong, or of the right ones, no nearer to each other than a
+ * line.  Those of the right ones stand above their marks, out of the way of
+ * others' lines. */
 static void spread_labels(chart *g, int wrong)
 {
     mark *column[64];
@@ -172,15 +182,18 @@ static void write_wrong(const chart *g, const mark *m, int tag, double x)
     const standing *s = m->of;
     const double end = g->right + BAND;
     fprintf(g->out,
-            "set label %d '' at 10**%.4f, 10**%.4f point pt 2 ps 0.9 lc rgb '%s' lw 2 "
+            "set label %d '' at 10**%.4f, 10**%.4f point pt 2 ps 0.9 lc rgb '%s' "
+            "lw 2 "
             "front\n",
             tag, x, m->cost, m->colour);
     fprintf(g->out,
-            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead lc rgb "
+            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead "
+            "lc rgb "
             "'%s' lw 0.7\n",
             tag, x, m->cost, end, m->label, m->colour);
     fprintf(g->out,
-            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb '%s' "
+            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc "
+            "rgb '%s' "
             "font ',13'\n",
             tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
             bench_ratio(s->ratio).text, m->is_ours ? "}" : "", end, m->label,
@@ -196,7 +209,8 @@ static void write_right(const chart *g, const mark *m, int tag, double x)
             "front\n",
             tag, x, m->cost, m->colour);
     fprintf(g->out,
-            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset %s,0 %s tc rgb '%s' "
+            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset %s,0 %s tc "
+            "rgb '%s' "
             "font ',13' front\n",
             tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
             bench_ratio(s->ratio).text, m->is_ours ? "}" : "", x, m->label,
@@ -209,14 +223,16 @@ static void write_mark(const chart *g, const mark *m, int tag, int place)
     const double begin = isinf(m->median) ? column : fmax(m->median, LEFT);
     const double end = m->is_wrong ? column : fmax(m->max, begin);
     fprintf(g->out,
-            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead lc rgb "
+            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead "
+            "lc rgb "
             "'%s' lw %s %s\n",
-            tag, begin, m->cost, end, m->cost, m->colour, m->is_ours ? "4" : "1.6",
-            m->is_ours ? "front" : "back");
-    fprintf(g->out,
-            "set label %d '' at 10**%.4f, 10**%.4f point pt 7 ps 0.55 lc rgb '%s' "
-            "front\n",
-            tag, begin, m->cost, m->colour);
+            tag, begin, m->cost, end, m->cost, m->colour,
+            m->is_ours ? "4" : "1.6", m->is_ours ? "front" : "back");
+    fprintf(
+        g->out,
+        "set label %d '' at 10**%.4f, 10**%.4f point pt 7 ps 0.55 lc rgb '%s' "
+        "front\n",
+        tag, begin, m->cost, m->colour);
     if (m->is_wrong)
         write_wrong(g, m, tag + 1, end);
     else
@@ -230,14 +246,16 @@ char *bench_scatter(const contest *c, int measure)
     chart g;
     if (chart_make(&g, c, measure, &script, &size) == 0) {
         write_error_axis(&g, c->problem->measure[measure], measure);
-        fprintf(g.out, FRAME "set lmargin 8\nset rmargin 27\n"
-                       "set label 2 '↙ better' at graph 0, graph 0 offset 1,0.8 tc rgb "
-                       "'#5b6575' font ',12'\n");
+        fprintf(g.out, FRAME
+                "set lmargin 8\nset rmargin 27\n"
+                "set label 2 '↙ better' at graph 0, graph 0 offset 1,0.8 tc rgb "
+                "'#5b6575' font ',12'\n");
         fprintf(g.out, "set ylabel 'cost, as a multiple of “%s”' offset 1,0\n",
                 name_of(&c->of[0]).text);
         fprintf(g.out, "set yrange [10**%g:10**%g]\n", g.low, g.high);
-        fprintf(g.out, "set ytics scale 1,0 ('1×' 1, '2×' 2, '5×' 5, '10×' 10, '100×' "
-                       "100, '1000×' 1000, '10 000×' 1e4, '100 000×' 1e5)\n");
+        fprintf(g.out,
+                "set ytics scale 1,0 ('1×' 1, '2×' 2, '5×' 5, '10×' 10, '100×' "
+                "100, '1000×' 1000, '10 000×' 1e4, '100 000×' 1e5)\n");
         spread_labels(&g, 0);
         spread_labels(&g, 1);
         int wrong = 0;
@@ -250,9 +268,11 @@ char *bench_scatter(const contest *c, int measure)
     return chart_end(&g, &script);
 }
 
-// --- Distributions -------------------------------------------------------------------
+// --- Distributions
+// -------------------------------------------------------------------
 
-/** A curve a twentieth of a decade at a time, until nothing is above; then down. */
+/** A curve a twentieth of a decade at a time, until nothing is above; then down.
+ */
 static void write_curve(const chart *g, const mark *m, int k, int measure,
                         double bottom)
 {
@@ -281,14 +301,16 @@ static void write_curve_label(const chart *g, const mark *m, int tag, int nth,
     const char *bold = m->is_ours ? "{/:Bold " : "", *end = m->is_ours ? "}" : "";
     if (m->is_wrong) {
         fprintf(g->out,
-                "set label %d '%s%s%s' at graph 1, first 10**%.4f offset 0.8,0 tc rgb "
+                "set label %d '%s%s%s' at graph 1, first 10**%.4f offset 0.8,0 "
+                "tc rgb "
                 "'%s' font ',13'\n",
                 tag, bold, name_of(m->of).text, end, m->label, m->colour);
         return;
     }
     const double level = -1.2 - 0.42 * nth;
     fprintf(g->out,
-            "set label %d '%s%s%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb '%s' font "
+            "set label %d '%s%s%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb "
+            "'%s' font "
             "',13' front boxed\n",
             tag, bold, name_of(m->of).text, end,
             crossing(m, measure, pow(10, level)), level, m->colour);
@@ -305,13 +327,16 @@ char *bench_distribution(const contest *c, int measure)
         g.low = floor(log10(0.5 / n));
         g.high = 0;
         write_error_axis(&g, c->problem->measure[measure], measure);
-        fprintf(g.out, FRAME "set lmargin 10\nset rmargin 23\n"
-                       "set ylabel 'part of the answers with a larger error' offset 1,0\n"
-                       "set yrange [10**%g:1]\nset format y '10^{%%T}'\n"
-                       "set ytics scale 1,0 ('all' 1, '1 in 10' 0.1, '1 in 100' 0.01, "
-                       "'1 in 1000' 1e-3, '10^{-4}' 1e-4, '10^{-5}' 1e-5, '10^{-6}' "
-                       "1e-6)\n",
-                g.low);
+        fprintf(
+            g.out,
+            FRAME
+            "set lmargin 10\nset rmargin 23\n"
+            "set ylabel 'part of the answers with a larger error' offset 1,0\n"
+            "set yrange [10**%g:1]\nset format y '10^{%%T}'\n"
+            "set ytics scale 1,0 ('all' 1, '1 in 10' 0.1, '1 in 100' 0.01, "
+            "'1 in 1000' 1e-3, '10^{-4}' 1e-4, '10^{-5}' 1e-5, '10^{-6}' "
+            "1e-6)\n",
+            g.low);
         int right = 0;
         for (int k = 0; k < g.marks; k++) // labels stand where the curves end
             g.mark[k].cost = decades(standing_above(&c->of[k], measure, 1e19));

@@ -13,7 +13,10 @@ brink_words bench_error(double ulps)
         return brink_words_scientific(ulps);
     else
         snprintf(w.text, sizeof w.text, "%.*f",
-                 ulps == 0 || ulps >= 10 ? 0 : ulps >= 0.1 ? 2 : 4, ulps);
+                 ulps == 0 || ulps >= 10 ? 0
+                 : ulps >= 0.1           ? 2
+                                         : 4,
+                 ulps);
     return w;
 }
 
@@ -37,7 +40,11 @@ brink_words bench_ratio(double ratio)
     brink_words w;
     if (ratio >= 100)
         return brink_words_grouped((uint64_t)(ratio + 0.5));
-    snprintf(w.text, sizeof w.text, "%.*f", ratio < 3 ? 2 : ratio < 10 ? 1 : 0, ratio);
+    snprintf(w.text, sizeof w.text, "%.*f",
+             ratio < 3    ? 2
+             : ratio < 10 ? 1
+                          : 0,
+             ratio);
     return w;
 }
 
@@ -58,7 +65,8 @@ static void tell_ours(FILE *out, const contest *c)
         return;
     const int wrong = measure_wrong(&plain->all);
     fprintf(out, "Of %s answers of %s ",
-            brink_words_grouped((uint64_t)plain->all.n).text, plain->method->about);
+            brink_words_grouped((uint64_t)plain->all.n).text,
+            plain->method->about);
     if (wrong == 0)
         fprintf(out, "none was wrong, and the worst was off by %s ulp",
                 bench_error(standing_max(plain, 0)).text);
@@ -67,7 +75,8 @@ static void tell_ours(FILE *out, const contest *c)
     fprintf(out, "; a call costs %s times what “%s” costs.",
             bench_ratio(plain->ratio).text, baseline);
     if (cr != NULL && measure_wrong(&cr->all) == 0 && standing_max(cr, 0) <= 0.5)
-        fprintf(out, " For %s times, every answer is the double nearest to the truth.",
+        fprintf(out,
+                " For %s times, every answer is the double nearest to the truth.",
                 bench_ratio(cr->ratio).text);
 }
 
@@ -92,13 +101,15 @@ static void tell_rivals(FILE *out, const contest *c)
     if (right == 0)
         fprintf(out, " None of the %d rivals was always right.", rivals);
     else if (right == 1)
-        fprintf(out, " The only one of %d rivals that was never wrong, %s, costs %s.",
+        fprintf(out,
+                " The only one of %d rivals that was never wrong, %s, costs %s.",
                 rivals, best->method->label, bench_ratio(best->ratio).text);
     else
-        fprintf(out,
-                " Of %d rivals %d were never wrong; the cheapest of them, %s, costs "
-                "%s.",
-                rivals, right, best->method->label, bench_ratio(best->ratio).text);
+        fprintf(
+            out,
+            " Of %d rivals %d were never wrong; the cheapest of them, %s, costs "
+            "%s.",
+            rivals, right, best->method->label, bench_ratio(best->ratio).text);
 }
 
 char *bench_sentences(const contest *c)

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-/** Seconds that a turn should not exceed: short beside a scheduler's, so that some go
- * by undisturbed. */
+/** Seconds that a turn should not exceed: short beside a scheduler's, so that
+ * some go by undisturbed. */
 static const double TURN = 5e-4;
 
 /** The parts of the inputs, and the fewest of one that are still a sample. */
