@@ -20,7 +20,8 @@
 #include <brink/step.h>
 #include <stddef.h>
 
-/** Particles and the two slots each has in the calendar are numbered in 31 bits. */
+/** Particles and the two slots each has in the calendar are numbered in 31
+ *  bits. */
 #define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
 
 typedef struct brink_particle {
