@@ -15,9 +15,10 @@
 enum { KEPT, BROKEN, USAGE };
 
 static const char *const wrong_names[WRONG_KINDS] = {
-    [WRONG_NOT] = "not",           [WRONG_MISSED] = "missed",
-    [WRONG_INVENTED] = "invented", [WRONG_NOW] = "now/later",
-    [WRONG_SIGN] = "sign",         [WRONG_SPURIOUS] = "spurious",
+    [WRONG_NOT] = "not",           [WRONG_SIDE] = "side",
+    [WRONG_MISSED] = "missed",     [WRONG_INVENTED] = "invented",
+    [WRONG_NOW] = "now/later",     [WRONG_SIGN] = "sign",
+    [WRONG_SPURIOUS] = "spurious",
 };
 
 static void list(FILE *out)
