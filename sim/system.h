@@ -20,16 +20,14 @@
 #include <brink/step.h>
 #include <stddef.h>
 
-/** Particles and the two slots each has in the calendar are numbered in 31 bits.
- */
+/** So many that each one's two slots in the calendar have numbers of 31 bits. */
 #define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
 
 typedef struct brink_particle {
     uint64_t x[3]; // position: fraction of the box's length, in units of 2^-64
     double v[3];   // velocity
     double since;  // offset in the current year at which x holds
-    uint32_t
-        generation; // changes of v so far: a prediction that knew fewer is stale
+    uint32_t generation; // changes of v: what was predicted from fewer is stale
     uint32_t species;
 } brink_particle; // 64 bytes, a cache line
 
