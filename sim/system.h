@@ -34,8 +34,8 @@ typedef struct brink_particle {
 typedef struct brink_species {
     char name[16];
     double mass; // > 0
-    double
-        diameter;   // distance of the innermost step with its like: what is drawn
+    // distance of the innermost step with its like: what is drawn
+    double diameter;
     uint32_t count; // particles of it: they are numbered species by species
 } brink_species;
 
