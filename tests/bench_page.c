@@ -19,11 +19,6 @@ typedef struct settings {
     uint64_t seed;
 } settings;
 
-static const char *const wrong_heads[WRONG_KINDS] = {
-    [WRONG_MISSED] = "missed", [WRONG_INVENTED] = "invented",
-    [WRONG_NOW] = "now for later", [WRONG_SIGN] = "wrong sign",
-    [WRONG_SPURIOUS] = "0, ∞ or NaN"};
-
 static int is_seen(const contest *c, enum wrong kind)
 {
     int seen = 0;
@@ -51,7 +46,7 @@ static void write_summary(brink_report *r, const contest *c)
         head[columns] = "worst gap", align[columns++] = 'r';
     for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
         if (is_seen(c, (enum wrong)k))
-            head[columns] = wrong_heads[k], align[columns++] = 'r';
+            head[columns] = problem_wrong_names[k], align[columns++] = 'r';
     char caption[400];
     snprintf(caption, sizeof caption,
              "Of %s cases: cost as a multiple of the first line's, on %s input; errors in ulp; "

@@ -15,8 +15,17 @@ const problem *const problems[] = {
     &problem_halfspace,
     &problem_halfspace_rate,
     &problem_halfspace_at,
+    &problem_step,
+    &problem_core,
 };
 const int problem_count = sizeof problems / sizeof *problems;
+
+const char *const problem_wrong_names[WRONG_KINDS] = {
+    [WRONG_NOT] = "right",       [WRONG_MISSED] = "missed",
+    [WRONG_INVENTED] = "invented", [WRONG_NOW] = "now for later",
+    [WRONG_SIGN] = "sign",       [WRONG_SIDE] = "side",
+    [WRONG_SPURIOUS] = "0, inf or NaN",
+};
 
 int problem_family(const problem *p, const char *name)
 {
