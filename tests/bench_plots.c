@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "bench_plots.h"
 #include "bench_words.h"
+#include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 // All positions are in decades.
-#define LEFT (-2.0) // errors of less than 10^-2 ulp are drawn there
-#define BAND 1.1    // width of the column for what is wrong
-#define LINE 0.042  // a line of text, as a part of the height
+#define LINE 0.042 // a line of text, as a part of the height
+#define BAND                                                                     \
+    0.13 // the column for what is wrong, as a part of the width to its left
 #define FRAME                                                                    \
     "set terminal svg size 860,540 dynamic enhanced font 'sans-serif,14' "       \
     "background '#ffffff'\nunset key\nset tmargin 3\n"                           \
@@ -18,6 +19,7 @@ typedef struct mark {
     const standing *of;
     const char *colour;
     int is_ours, is_wrong;
+    double share;             // of what is wrong
     double cost, median, max; // decades
     double label;             // where its label stands
 } mark;
@@ -26,7 +28,10 @@ typedef struct chart {
     FILE *out;
     int marks;
     mark *mark;
-    double right, low, high; // of the axes, without the band
+    double left,
+        right;  // of the errors; those that are smaller are drawn at the left
+    double end; // of the column for what is wrong, which begins at the right
+    double low, high;
 } chart;
 
 /** Blue and green for brink, warm colours for formulas, greys for wider
@@ -35,8 +40,7 @@ static const char *colour_of(const contest *c, int k)
 {
     static const char *const formulas[] = {"#d55e00", "#e08a00", "#cc79a7"};
     static const char *const libraries[] = {"#a0522d", "#8a5a9e"};
-    static const char *const wide[] = {"#9aa5b5", "#76818f", "#4b545f",
-                                       "#000000"};
+    static const char *const wide[] = {"#9aa5b5", "#76818f", "#4b545f"};
     int nth = 0;
     for (int i = 0; i < k; i++)
         nth += c->of[i].method->rank == c->of[k].method->rank;
@@ -51,8 +55,10 @@ static const char *colour_of(const contest *c, int k)
         return formulas[nth % 3];
     case RANK_LIBRARY:
         return libraries[nth % 2];
+    case RANK_WIDE:
+        return wide[nth % 3];
     default:
-        return wide[nth % 4];
+        return "#000000";
     }
 }
 
@@ -82,32 +88,37 @@ static int chart_make(chart *g, const contest *c, int measure, char **script,
                       size_t *size)
 {
     const int n = c->problem->methods;
-    *g = (chart){open_memstream(script, size),
-                 n,
-                 calloc((size_t)n, sizeof(mark)),
-                 2,
-                 0,
-                 1};
+    *g = (chart){.out = open_memstream(script, size),
+                 .mark = calloc((size_t)n, sizeof(mark)),
+                 .left = measure == 0 ? -1 : -2,
+                 .right = 2,
+                 .high = 1};
     for (int k = 0; g->mark != NULL && k < n; k++) {
         const standing *s = &c->of[k];
+        if (s->method->rank == RANK_SIGN) // has no error
+            continue;
         const double max = standing_max(s, measure);
-        g->mark[k] = (mark){
+        mark *m = &g->mark[g->marks++];
+        *m = (mark){
             .of = s,
             .colour = colour_of(c, k),
-            .is_ours = s->method->rank <= RANK_CR,
+            .is_ours = s->method->rank < RANK_FORMULA,
             .is_wrong =
                 isinf(max) || (measure == 0 && measure_wrong(&s->all) > 0),
+            .share = measure == 0 ? standing_wrong(s)
+                                  : standing_above(s, measure, DBL_MAX),
             .cost = decades(s->ratio),
             .median = decades(measure_quantile(&s->all, measure, 0.5)),
             .max = decades(max),
         };
-        if (!g->mark[k].is_wrong)
-            g->right = fmax(g->right, ceil(g->mark[k].max + 0.2));
-        if (isfinite(g->mark[k].median))
-            g->right = fmax(g->right, ceil(g->mark[k].median + 0.2));
-        g->low = fmin(g->low, g->mark[k].cost);
-        g->high = fmax(g->high, g->mark[k].cost);
+        if (!m->is_wrong)
+            g->right = fmax(g->right, ceil(m->max + 0.2));
+        if (isfinite(m->median))
+            g->right = fmax(g->right, ceil(m->median + 0.2));
+        g->low = fmin(g->low, m->cost);
+        g->high = fmax(g->high, m->cost);
     }
+    g->end = g->right + BAND * (g->right - g->left);
     g->low -= 0.25;
     g->high += 0.3;
     return g->out == NULL || g->mark == NULL ? -1 : 0;
@@ -130,19 +141,20 @@ static char *chart_end(chart *g, char **script)
 static void write_error_axis(const chart *g, const char *unit, int measure)
 {
     FILE *out = g->out;
-    const double end = g->right + BAND;
-    fprintf(out, "set logscale xy\nset xrange [10**%g:10**%g]\n", LEFT, end);
+    fprintf(out, "set logscale xy\nset xrange [10**%g:10**%g]\n", g->left,
+            g->end);
     fprintf(out, "set xtics scale 1,0 (");
-    for (int d = (int)LEFT; d < (int)g->right; d += d < 3 && g->right < 9 ? 1 : 3)
+    for (int d = (int)g->left; d < (int)g->right;
+         d += d < 3 && g->right < 9 ? 1 : 3)
         if (d <= 3)
             fprintf(out, "'%g' 1e%d, ", pow(10, d), d);
         else
             fprintf(out, "'10^{%d}' 1e%d, ", d, d);
-    fprintf(out, "'wrong' 10**%g)\n", g->right + BAND / 2);
+    fprintf(out, "'wrong' 10**%g)\n", (g->right + g->end) / 2);
     fprintf(out,
             "set object 1 rectangle from first 10**%g, graph 0 to first 10**%g, "
             "graph 1 behind fillcolor rgb '#f6eeee' fillstyle solid noborder\n",
-            g->right, end);
+            g->right, g->end);
     fprintf(out, "set xlabel 'error in %s'\n", unit);
     if (measure == 0)
         fprintf(out,
@@ -180,7 +192,6 @@ static void spread_labels(chart *g, int wrong)
 static void write_wrong(const chart *g, const mark *m, int tag, double x)
 {
     const standing *s = m->of;
-    const double end = g->right + BAND;
     fprintf(g->out,
             "set label %d '' at 10**%.4f, 10**%.4f point pt 2 ps 0.9 lc rgb '%s' "
             "lw 2 "
@@ -190,20 +201,21 @@ static void write_wrong(const chart *g, const mark *m, int tag, double x)
             "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead "
             "lc rgb "
             "'%s' lw 0.7\n",
-            tag, x, m->cost, end, m->label, m->colour);
+            tag, x, m->cost, g->end, m->label, m->colour);
     fprintf(g->out,
-            "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc "
-            "rgb '%s' "
+            "set label %d '%s%s  %s×%s  %s' at 10**%.4f, 10**%.4f offset 0.5,0 "
+            "tc rgb '%s' "
             "font ',13'\n",
             tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
-            bench_ratio(s->ratio).text, m->is_ours ? "}" : "", end, m->label,
-            m->colour);
+            bench_ratio(s->ratio).text, m->is_ours ? "}" : "",
+            bench_percent(m->share).text, g->end, m->label, m->colour);
 }
 
 static void write_right(const chart *g, const mark *m, int tag, double x)
 {
     const standing *s = m->of;
-    const int far = m->max > g->right - 2; // no room to the right of it
+    // Where there is no room to the right of it, it stands to the left.
+    const int far = m->max > g->right - 0.35 * (g->right - g->left);
     fprintf(g->out,
             "set label %d '' at 10**%.4f, 10**%.4f point pt 7 ps 1.1 lc rgb '%s' "
             "front\n",
@@ -219,8 +231,8 @@ static void write_right(const chart *g, const mark *m, int tag, double x)
 
 static void write_mark(const chart *g, const mark *m, int tag, int place)
 {
-    const double column = g->right + BAND * (0.16 + 0.14 * place);
-    const double begin = isinf(m->median) ? column : fmax(m->median, LEFT);
+    const double column = g->right + (g->end - g->right) * (0.16 + 0.14 * place);
+    const double begin = isinf(m->median) ? column : fmax(m->median, g->left);
     const double end = m->is_wrong ? column : fmax(m->max, begin);
     fprintf(g->out,
             "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead "
@@ -247,9 +259,13 @@ char *bench_scatter(const contest *c, int measure)
     if (chart_make(&g, c, measure, &script, &size) == 0) {
         write_error_axis(&g, c->problem->measure[measure], measure);
         fprintf(g.out, FRAME
-                "set lmargin 8\nset rmargin 27\n"
-                "set label 2 '↙ better' at graph 0, graph 0 offset 1,0.8 tc rgb "
+                "set lmargin 8\nset rmargin 33\n"
+                "set label 2 '↙ better' at graph 0, graph 0 offset 1,0.9 tc rgb "
                 "'#5b6575' font ',12'\n");
+        fprintf(
+            g.out,
+            "set label 3 'cost, and part wrong' at graph 1, graph 1.03 offset "
+            "0.5,0.3 tc rgb '#5b6575' font ',12'\n");
         fprintf(g.out, "set ylabel 'cost, as a multiple of “%s”' offset 1,0\n",
                 name_of(&c->of[0]).text);
         fprintf(g.out, "set yrange [10**%g:10**%g]\n", g.low, g.high);
@@ -277,7 +293,7 @@ static void write_curve(const chart *g, const mark *m, int k, int measure,
                         double bottom)
 {
     fprintf(g->out, "$d%d << E\n", k);
-    for (double x = LEFT; x <= g->right + BAND; x += 0.05) {
+    for (double x = g->left; x <= g->end; x += 0.05) {
         const double above = standing_above(m->of, measure, pow(10, x));
         fprintf(g->out, "%.6g %.6g\n", pow(10, x), fmax(above, bottom));
         if (above == 0)
@@ -287,10 +303,10 @@ static void write_curve(const chart *g, const mark *m, int k, int measure,
 }
 
 /** Where a curve has come down to `level`. */
-static double crossing(const mark *m, int measure, double level)
+static double crossing(const chart *g, const mark *m, int measure, double level)
 {
-    double x = LEFT;
-    while (x < 30 && standing_above(m->of, measure, pow(10, x)) > level)
+    double x = g->left;
+    while (x < g->right && standing_above(m->of, measure, pow(10, x)) > level)
         x += 0.05;
     return x;
 }
@@ -313,7 +329,7 @@ static void write_curve_label(const chart *g, const mark *m, int tag, int nth,
             "'%s' font "
             "',13' front boxed\n",
             tag, bold, name_of(m->of).text, end,
-            crossing(m, measure, pow(10, level)), level, m->colour);
+            crossing(g, m, measure, pow(10, level)), level, m->colour);
 }
 
 char *bench_distribution(const contest *c, int measure)
@@ -324,6 +340,7 @@ char *bench_distribution(const contest *c, int measure)
     if (chart_make(&g, c, measure, &script, &size) == 0) {
         const int n = c->of[0].all.n;
         g.right = 18;
+        g.end = g.right + BAND / 2 * (g.right - g.left);
         g.low = floor(log10(0.5 / n));
         g.high = 0;
         write_error_axis(&g, c->problem->measure[measure], measure);
@@ -339,7 +356,7 @@ char *bench_distribution(const contest *c, int measure)
             g.low);
         int right = 0;
         for (int k = 0; k < g.marks; k++) // labels stand where the curves end
-            g.mark[k].cost = decades(standing_above(&c->of[k], measure, 1e19));
+            g.mark[k].cost = decades(standing_above(g.mark[k].of, measure, 1e19));
         spread_labels(&g, 1);
         for (int k = 0; k < g.marks; k++) {
             write_curve(&g, &g.mark[k], k, measure, pow(10, g.low));

@@ -12,9 +12,15 @@ brink_words bench_error(double ulps);
  * "none". */
 brink_words bench_wrong(const standing *);
 
+/** A part of a whole: 17 %, 0.0083 %. */
+brink_words bench_percent(double part);
+
 /** A ratio: 1.02, 4.7, 38, 5 600. */
 brink_words bench_ratio(double ratio);
 
 /** What one sees in a contest, to be freed; NULL: no memory. */
 char *bench_sentences(const contest *);
+
+/** The same in one sentence. */
+char *bench_headline(const contest *);
 #endif

@@ -152,5 +152,50 @@ FORMULA double NAME(halfspace_at)(const double r[3], const double v[3],
         f += n[i] * (r[i] + (REAL)v[i] * t - c[i]);
     return (double)f;
 }
+
+// --- Impulses
+// ------------------------------------------------------------------------
+
+/** b = r.(v1 - v2) changed along the line of centres; the virial. */
+INLINED REAL NAME(kick)(const double r[3], double m1, double m2, REAL change,
+                        double v1[3], double v2[3])
+{
+    const REAL slope = change / NAME(dot)(r, r), mass = (REAL)m1 + m2;
+    for (int i = 0; i < 3; i++) {
+        v1[i] = (double)(v1[i] + m2 / mass * slope * r[i]);
+        v2[i] = (double)(v2[i] - m1 / mass * slope * r[i]);
+    }
+    return m1 * (m2 / mass) * change;
+}
+
+INLINED REAL NAME(rate_between)(const double r[3], const double v1[3],
+                                const double v2[3])
+{
+    REAL b = 0;
+    for (int i = 0; i < 3; i++)
+        b += r[i] * ((REAL)v1[i] - v2[i]);
+    return b;
+}
+
+FORMULA double NAME(core)(const double r[3], double m1, double m2, double v1[3],
+                          double v2[3])
+{
+    const REAL b = NAME(rate_between)(r, v1, v2);
+    return (double)NAME(kick)(r, m1, m2, b < 0 ? -2 * b : 0, v1, v2);
+}
+
+FORMULA int NAME(step)(const double r[3], double m1, double m2, double rise,
+                       int way, double v1[3], double v2[3], double *virial)
+{
+    const REAL b = NAME(rate_between)(r, v1, v2), s = way * b;
+    const REAL loss =
+        2 * (REAL)rise * NAME(dot)(r, r) * ((REAL)m1 + m2) / m1 / m2;
+    const REAL rest = s * s - loss;
+    REAL change = s > 0 ? -2 * s : 0;
+    if (rest > 0)
+        change = s > 0 ? -loss / (SQRT(rest) + s) : SQRT(rest) - s;
+    *virial = (double)NAME(kick)(r, m1, m2, way * change, v1, v2);
+    return rest > 0;
+}
 #undef FORMULA
 #undef INLINED

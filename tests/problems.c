@@ -7,9 +7,20 @@ const problem *const problems[] = {
     &problem_quadratic,      &problem_intersection, &problem_disjoint,
     &problem_halfspace_time, &problem_ball,         &problem_rate,
     &problem_ball_at,        &problem_rate_at,      &problem_halfspace,
-    &problem_halfspace_rate, &problem_halfspace_at,
+    &problem_halfspace_rate, &problem_halfspace_at, &problem_step,
+    &problem_core,
 };
 const int problem_count = sizeof problems / sizeof *problems;
+
+const char *const problem_wrong_names[WRONG_KINDS] = {
+    [WRONG_NOT] = "right",
+    [WRONG_MISSED] = "missed",
+    [WRONG_INVENTED] = "invented",
+    [WRONG_NOW] = "now for later",
+    [WRONG_SIGN] = "sign",
+    [WRONG_SIDE] = "side",
+    [WRONG_SPURIOUS] = "0, inf or NaN",
+};
 
 int problem_family(const problem *p, const char *name)
 {

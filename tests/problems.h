@@ -53,6 +53,8 @@ enum wrong {
 
 enum { MEASURES = 2 };
 
+extern const char *const problem_wrong_names[WRONG_KINDS];
+
 /** How good an answer is by each of the problem's measures: infinite where the
  * answer is wrong beyond measure, negative where there was nothing to measure,
  * such as the time at which a pair rightly never meets. */
@@ -138,13 +140,14 @@ int real_is_spurious(double x, const real *exact);
  */
 verdict problem_judge_time(const real *exact, double t);
 
-/** The loop over a kernel: `call` with *p, the inputs of case i, into *out. */
-#define LOOP(name, call)                                                         \
+/** The loop over a kernel: statements with *p, the inputs of case i, into *out.
+ */
+#define LOOP(name, ...)                                                          \
     static void name(const inputs *in, answers *out)                             \
     {                                                                            \
         const int n = in->n, width = in->width;                                  \
         const double *p = in->rows;                                              \
         for (int i = 0; i < n; i++, p += width)                                  \
-            call;                                                                \
+            __VA_ARGS__;                                                         \
     }
 #endif

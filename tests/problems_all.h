@@ -15,4 +15,6 @@ extern const problem problem_rate_at;
 extern const problem problem_halfspace;
 extern const problem problem_halfspace_rate;
 extern const problem problem_halfspace_at;
+extern const problem problem_step; // problem_impulse.c
+extern const problem problem_core;
 #endif

@@ -14,13 +14,6 @@
 
 enum { KEPT, BROKEN, USAGE };
 
-static const char *const wrong_names[WRONG_KINDS] = {
-    [WRONG_NOT] = "not",           [WRONG_SIDE] = "side",
-    [WRONG_MISSED] = "missed",     [WRONG_INVENTED] = "invented",
-    [WRONG_NOW] = "now/later",     [WRONG_SIGN] = "sign",
-    [WRONG_SPURIOUS] = "spurious",
-};
-
 static void list(FILE *out)
 {
     fprintf(out, "usage: ulp KERNEL [FAMILY] [COUNT] [SEED]\n");
@@ -42,7 +35,7 @@ static void print_wrong(const sample *s)
     const char *before = ": ";
     for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
         if (s->wrong[k] > 0) {
-            printf("%s%s %d", before, wrong_names[k], s->wrong[k]);
+            printf("%s%s %d", before, problem_wrong_names[k], s->wrong[k]);
             before = ", ";
         }
     printf("\n");
