@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-/**
- * Speed against error, as a page: bench [--out FOLDER] [--cases N] [--seconds S]
- * [--seed N] writes FOLDER/kernels.html.  `./run bench` builds it and calls it.
- */
+#include "bench_page.h"
+#include "bench_count.h"
 #include "bench_plots.h"
+#include "bench_speed.h"
 #include "bench_words.h"
 #include "problems_all.h"
 #include "report.h"
@@ -11,20 +10,26 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/utsname.h>
 
-typedef struct settings {
-    const char *out;
-    int cases; // a family
-    double seconds; // a problem's costs
-    uint64_t seed;
-} settings;
+enum { COLUMNS = 24 };
 
-static const char *const wrong_heads[WRONG_KINDS] = {
-    [WRONG_MISSED] = "missed", [WRONG_INVENTED] = "invented",
-    [WRONG_NOW] = "now for later", [WRONG_SIGN] = "wrong sign",
-    [WRONG_SPURIOUS] = "0, ∞ or NaN"};
+// --- Tables
+// --------------------------------------------------------------------------
 
-static int is_seen(const contest *c, enum wrong kind)
+typedef struct columns {
+    int count;
+    const char *head[COLUMNS];
+    char align[COLUMNS];
+} columns;
+
+static void add_column(columns *c, const char *head)
+{
+    c->align[c->count] = c->count == 0 ? 'l' : 'r';
+    c->head[c->count++] = head;
+}
+
+static int is_seen(const contest *c, int kind)
 {
     int seen = 0;
     for (int k = 0; k < c->problem->methods; k++)
@@ -40,38 +45,60 @@ static void put_count(brink_report *r, int count)
         brink_report_cell(r, "%s", brink_words_grouped((uint64_t)count).text);
 }
 
-/** Way, cost, median, 99.9 %, max, and what was wrong. */
-static void write_summary(brink_report *r, const contest *c)
+static void put_errors(brink_report *r, const standing *s, int measure)
+{
+    static const double parts[] = {0.5, 0.999, 1};
+    for (int k = measure == 0 ? 0 : 2; k < 3; k++)
+        if (s->method->rank == RANK_SIGN)
+            brink_report_cell(r, " ");
+        else
+            brink_report_cell(
+                r, "%s",
+                bench_error(measure_quantile(&s->all, measure, parts[k])).text);
+}
+
+/** Cost, errors, and what was wrong, a line a way. */
+static void write_summary(brink_report *r, const contest *c, const char *file)
 {
     const problem *p = c->problem;
-    const char *head[32] = {"", "cost", "ns", "median", "99.9 %", "worst"};
-    char align[32] = "lrrrrr";
-    int columns = 6;
-    if (p->measure[1] != NULL)
-        head[columns] = "worst gap", align[columns++] = 'r';
-    for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
-        if (is_seen(c, (enum wrong)k))
-            head[columns] = wrong_heads[k], align[columns++] = 'r';
-    char caption[400];
+    columns head = {0};
+    double instructions[64];
+    char caption[400], gap[100];
+    bench_count_read(file, p, instructions);
     snprintf(caption, sizeof caption,
-             "Of %s cases: cost as a multiple of the first line's, on %s input; errors in ulp; "
-             "what was wrong, counted.",
-             brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual);
-    brink_report_table(r, caption, columns, align, head);
+             "%s cases. Cost: a multiple of the first line's, nanoseconds and "
+             "instructions a call, on %s input. Errors in %s.",
+             brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual,
+             p->measure[0]);
+    snprintf(gap, sizeof gap, "worst in %s",
+             p->measure[1] != NULL ? p->measure[1] : "");
+    for (const char *const *h =
+             (const char *const[]){"", "cost", "ns", "instructions", "median",
+                                   "99.9 %", "worst", NULL};
+         *h != NULL; h++)
+        add_column(&head, *h);
+    if (p->measure[1] != NULL)
+        add_column(&head, gap);
+    for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
+        if (is_seen(c, k))
+            add_column(&head, problem_wrong_names[k]);
+    brink_report_table(r, caption, head.count, head.align, head.head);
     for (int k = 0; k < p->methods; k++) {
         const standing *s = &c->of[k];
         brink_report_cell(r, "%s", s->method->label);
         brink_report_cell(r, "%s", bench_ratio(s->ratio).text);
         brink_report_cell(r, "%s", bench_ratio(s->ns).text);
-        brink_report_cell(r, "%s",
-                          bench_error(measure_quantile(&s->all, 0, 0.5)).text);
-        brink_report_cell(r, "%s",
-                          bench_error(measure_quantile(&s->all, 0, 0.999)).text);
-        brink_report_cell(r, "%s", bench_error(standing_max(s, 0)).text);
+        if (isnan(instructions[k]))
+            brink_report_cell(r, " ");
+        else
+            brink_report_cell(
+                r, "%s",
+                brink_words_grouped((uint64_t)(instructions[k] + 0.5)).text);
+        put_errors(r, s, 0);
         if (p->measure[1] != NULL)
-            brink_report_cell(r, "%s", bench_error(standing_max(s, 1)).text);
+            put_errors(r, s, 1);
         for (int w = WRONG_NOT + 1; w < WRONG_KINDS; w++)
-            if (is_seen(c, (enum wrong)w))
+            if (is_seen(c, w))
                 put_count(r, s->all.wrong[w]);
     }
     brink_report_table_end(r);
@@ -81,17 +108,15 @@ static void write_summary(brink_report *r, const contest *c)
 static void write_families(brink_report *r, const contest *c)
 {
     const problem *p = c->problem;
-    const char *head[32] = {"family"};
-    char align[32] = "l";
-    int columns = 1;
-    for (int k = 0; k < p->methods; k++) {
-        head[columns] = c->of[k].method->label;
-        align[columns++] = 'r';
-    }
+    columns head = {0};
     char caption[200];
-    snprintf(caption, sizeof caption, "Wrong answers of %s in each family of inputs.",
+    snprintf(caption, sizeof caption,
+             "Wrong answers of %s in each family of inputs.",
              brink_words_grouped((uint64_t)c->of[0].family[0].n).text);
-    brink_report_table(r, caption, columns, align, head);
+    add_column(&head, "family");
+    for (int k = 0; k < p->methods; k++)
+        add_column(&head, c->of[k].method->label);
+    brink_report_table(r, caption, head.count, head.align, head.head);
     for (int f = 0; f < p->families; f++) {
         brink_report_cell(r, "%s", p->family(f));
         for (int k = 0; k < p->methods; k++)
@@ -100,70 +125,239 @@ static void write_families(brink_report *r, const contest *c)
     brink_report_table_end(r);
 }
 
-static void draw(brink_report *r, char *script, const char *name,
-                 const char *caption)
+static void write_ways(brink_report *r, const problem *p)
 {
+    columns head = {0};
+    add_column(&head, "");
+    add_column(&head, "what it does");
+    head.align[1] = 'l';
+    brink_report_table(r, "The ways to an answer.", head.count, head.align,
+                       head.head);
+    for (int k = 0; k < p->methods; k++) {
+        brink_report_cell(r, "%s", p->method[k].label);
+        brink_report_cell(r, "%s", p->method[k].about);
+    }
+    brink_report_table_end(r);
+}
+
+// --- Sections
+// ------------------------------------------------------------------------
+
+static void write_text(brink_report *r, char *text)
+{
+    if (text != NULL)
+        brink_report_finding(r, "%s", text);
+    free(text);
+}
+
+static void draw(brink_report *r, char *script, const problem *p,
+                 const char *what, const char *caption)
+{
+    char name[100];
+    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): the list has problems
+    snprintf(name, sizeof name, "kernels-%s%s", p->name, what);
     if (script != NULL)
         brink_report_figure(r, name, caption, script);
     free(script);
 }
 
-static void write_contest(brink_report *r, const contest *c)
+/** A problem that most will look at, with all there is to it. */
+static void write_contest(brink_report *r, const contest *c, const char *counts)
 {
     const problem *p = c->problem;
-    char name[100];
     brink_report_heading(r, 2, "%s", p->title);
     brink_report_paragraph(r, "%s", p->about);
-    char *sentences = bench_sentences(c);
-    if (sentences != NULL)
-        brink_report_finding(r, "%s", sentences);
-    free(sentences);
-    snprintf(name, sizeof name, "kernels-%s", p->name);
-    draw(r, bench_scatter(c, 0), name,
-         "Each line is a way to the answer, from its median error to its worst one.");
-    snprintf(name, sizeof name, "kernels-%s-errors", p->name);
-    draw(r, bench_distribution(c, 0), name,
-         "The part of the answers whose error exceeds x.");
-    if (p->measure[1] != NULL) {
-        snprintf(name, sizeof name, "kernels-%s-gap", p->name);
-        draw(r, bench_scatter(c, 1), name,
-             "The same by the distance from the surface.");
-    }
-    write_summary(r, c);
+    write_text(r, bench_sentences(c));
+    draw(r, bench_scatter(c, 0), p, "",
+         "Cost against error: each line is one way to the answer, from its "
+         "median error "
+         "to its worst. A cross: it was wrong about whether, not only about how "
+         "much.");
+    draw(r, bench_distribution(c, 0), p, "-errors",
+         "How many answers are how far off. A curve that falls to the ground has "
+         "a worst "
+         "answer; one that runs into the column at the right has wrong ones.");
+    if (p->measure[1] != NULL)
+        draw(r, bench_scatter(c, 1), p, "-gap",
+             "The same, measured by what it means: how far from where it should "
+             "be the "
+             "pair is at the time that was answered, in roundings of its path.");
+    write_summary(r, c, counts);
     write_families(r, c);
+    write_ways(r, p);
 }
 
-static int parse(int argc, char **argv, settings *s)
+static void write_minor(brink_report *r, const contest *c, const char *counts)
 {
-    for (int k = 1; k + 1 < argc; k += 2) {
-        if (strcmp(argv[k], "--out") == 0)
-            s->out = argv[k + 1];
-        else if (strcmp(argv[k], "--cases") == 0)
-            s->cases = atoi(argv[k + 1]);
-        else if (strcmp(argv[k], "--seconds") == 0)
-            s->seconds = atof(argv[k + 1]);
-        else
-            return -1;
+    brink_report_heading(r, 3, "%s", c->problem->title);
+    brink_report_paragraph(r, "%s", c->problem->about);
+    draw(r, bench_scatter(c, 0), c->problem, "", "Cost against error.");
+    write_summary(r, c, counts);
+}
+
+static void write_beginning(brink_report *r, const contest *c)
+{
+    brink_report_heading(r, 1, "Speed against error");
+    brink_report_paragraph(
+        r, "Do these two balls meet, and when? Is the pair inside the well or "
+           "outside? A "
+           "simulation asks such questions millions of times a second, and one "
+           "wrong "
+           "answer can end it. This page sets what an answer costs against how "
+           "good it "
+           "is: for brink's kernels, for the formulas as one finds them in "
+           "print, for "
+           "other libraries, and for arithmetic with more digits.");
+    for (int k = 0; k < 3; k++)
+        write_text(r, bench_headline(&c[k]));
+    draw(r, bench_scatter(&c[1], 0), c[1].problem, "-first",
+         "When do two balls meet? Cost against error; how to read it, below.");
+    brink_report_heading(r, 2, "How to read this");
+    brink_report_paragraph(r, "A computer's number, a double, holds some 16 "
+                              "decimal digits. The distance from "
+                              "one double to the next is an ulp, a unit in the "
+                              "last place. As the truth lies "
+                              "between two of them, no answer can be expected to "
+                              "be nearer than half an ulp. "
+                              "An error of 1000 ulp has cost 3 of the 16 digits, "
+                              "one of 10¹⁶ all of them.");
+    brink_report_paragraph(
+        r,
+        "Worse than lost digits is a wrong answer: a collision that is missed, "
+        "or one "
+        "that is invented; now for later; a root that is not there. No number of "
+        "digits measures that, so whoever gave one wrong answer stands in a "
+        "column of "
+        "his own, however good the others were; the percentage beside his name "
+        "says "
+        "how often it happened.");
+    brink_report_paragraph(
+        r,
+        "In the figures each way to an answer is a line. Its height is what a "
+        "call "
+        "costs, as a multiple of what the plainest formula costs on ordinary "
+        "input. "
+        "It begins with a small dot at the median error and ends with a large "
+        "one at "
+        "the worst. Both axes are logarithmic. Down and to the left is better.");
+    brink_report_paragraph(
+        r,
+        "The inputs are random, of families: some ordinary, most made to break "
+        "something, each with the same weight. So the percentages do not say how "
+        "often "
+        "a simulation goes wrong; the tables say which family did it. Everything "
+        "is "
+        "judged by MPFR with so many digits that sums and products are exact.");
+}
+
+static void write_speed(brink_report *r, const bench_settings *s)
+{
+    columns head = {0};
+    brink_report_heading(r, 2, "What was asked, and what is measured");
+    brink_report_paragraph(
+        r,
+        "Each line a kernel on a family of inputs, beside its baseline in the "
+        "same "
+        "process, taking turns over %d inputs, more than a processor's branch "
+        "prediction can learn by heart. A batch answers many pairs at a time and "
+        "is "
+        "set beside the scalar loop of its baseline.",
+        65536);
+    for (const char *const *h =
+             (const char *const[]){"kernel", "inputs", "beside", "ns", "its ns",
+                                   "ratio", "asked: at most", "", NULL};
+         *h != NULL; h++)
+        add_column(&head, *h);
+    head.align[1] = head.align[2] = head.align[7] = 'l';
+    brink_report_table(r, "Nanoseconds a call, and the ratio.", head.count,
+                       head.align, head.head);
+    for (int k = 0; k < bench_speed_lines(); k++) {
+        speed of;
+        const int here = bench_speed_measure(k, s->seed, s->seconds / 4, &of);
+        const double ratio = of.ns / of.baseline_ns;
+        brink_report_cell(r, "%s", of.kernel);
+        brink_report_cell(r, "%s", of.family);
+        brink_report_cell(r, "%s", of.baseline);
+        brink_report_cell(r, here > 0 ? "%.2f" : "–", of.ns);
+        brink_report_cell(r, here > 0 ? "%.2f" : "–", of.baseline_ns);
+        brink_report_cell(r, here > 0 ? "%.2f" : "–", ratio);
+        brink_report_cell(r, of.at_most > 0 ? "%g" : " ", of.at_most);
+        brink_report_cell(r, "%s",
+                          here <= 0            ? "not here"
+                          : of.at_most == 0    ? ""
+                          : ratio > of.at_most ? "over"
+                                               : "kept");
     }
-    return argc % 2 == 1 ? 0 : -1;
+    brink_report_table_end(r);
 }
 
-int main(int argc, char **argv)
+/** The processor's name, if the system tells it. */
+static void find_processor(char *name, size_t size)
 {
-    settings s = {"report", 20000, 2, 1};
-    if (parse(argc, argv, &s) != 0)
-        return 2;
+    char line[300];
+    FILE *in = fopen("/proc/cpuinfo", "r");
+    snprintf(name, size, "unknown processor");
+    while (in != NULL && fgets(line, sizeof line, in) != NULL)
+        if (strncmp(line, "model name", 10) == 0 && strchr(line, ':') != NULL) {
+            line[strcspn(line, "\n")] = '\0';
+            snprintf(name, size, "%s", strchr(line, ':') + 2);
+            break;
+        }
+    if (in != NULL)
+        fclose(in);
+}
+
+static void write_end(brink_report *r, const bench_settings *s)
+{
+    char processor[300];
+    struct utsname u;
+    find_processor(processor, sizeof processor);
+    if (uname(&u) != 0)
+        strcpy(u.machine, "");
+    brink_report_heading(r, 2, "How this page was made");
+    brink_report_verbatim(r, "%s\n\nbrink %s, compiled by %s\n%s, %s", s->command,
+                          BRINK_VERSION, BRINK_COMPILER, processor, u.machine);
+    brink_report_paragraph(
+        r,
+        "%d cases of each family, a fifth of that for the further kernels, from "
+        "seed "
+        "%" PRIu64
+        ". Times are the shortest of many turns that the ways take in one "
+        "process; instructions are callgrind's, the loop around the call "
+        "included, "
+        "on the path that it can run: AVX2, not AVX-512. `ulp KERNEL FAMILY` "
+        "measures one kernel on one family, and prints the worst inputs.",
+        s->cases, s->seed);
+}
+
+int bench_page(const bench_settings *s)
+{
+    enum { MAIN = 3 }; // the problems with all there is to them
     brink_report r;
-    brink_report_open_page(&r, s.out, "kernels", "Speed against error");
-    brink_report_heading(&r, 1, "Speed against error");
-    for (int k = 0; k < problem_count; k++) {
-        contest c;
-        if (contest_hold(&c, problems[k], s.cases, s.seed, s.seconds) == 0)
-            write_contest(&r, &c);
-        contest_free(&c);
+    int failed = 0;
+    contest *c = calloc((size_t)problem_count, sizeof *c);
+    for (int k = 0; c != NULL && k < problem_count; k++) {
+        fprintf(stderr, "bench: %s\n", problems[k]->title);
+        failed |= contest_hold(&c[k], problems[k],
+                               k < MAIN ? s->cases : (s->cases + 4) / 5, s->seed,
+                               s->seconds);
     }
-    const int status = brink_report_close(&r, stderr);
-    if (status == 0)
-        printf("%s/kernels.html\n", s.out);
-    return status == 0 ? 0 : 1;
+    if (c == NULL || failed) {
+        fprintf(stderr, "bench: no memory for %d cases\n", s->cases);
+        return -1;
+    }
+    brink_report_open_page(&r, s->out, "kernels", "Speed against error");
+    write_beginning(&r, c);
+    for (int k = 0; k < MAIN; k++)
+        write_contest(&r, &c[k], s->instructions);
+    brink_report_heading(&r, 2, "The further kernels");
+    for (int k = MAIN; k < problem_count; k++)
+        write_minor(&r, &c[k], s->instructions);
+    fprintf(stderr, "bench: what was asked\n");
+    write_speed(&r, s);
+    write_end(&r, s);
+    for (int k = 0; k < problem_count; k++)
+        contest_free(&c[k]);
+    free(c);
+    return brink_report_close(&r, stderr);
 }

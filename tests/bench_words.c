@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench_words.h"
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 brink_words bench_error(double ulps)
 {
@@ -13,7 +11,17 @@ brink_words bench_error(double ulps)
         return brink_words_scientific(ulps);
     else
         snprintf(w.text, sizeof w.text, "%.*f",
-                 ulps == 0 || ulps >= 10 ? 0 : ulps >= 0.1 ? 2 : 4, ulps);
+                 ulps == 0 || ulps >= 10 ? 0
+                 : ulps >= 0.1           ? 2
+                                         : 4,
+                 ulps);
+    return w;
+}
+
+brink_words bench_percent(double part)
+{
+    brink_words w;
+    snprintf(w.text, sizeof w.text, "%.2g %%", 100 * part);
     return w;
 }
 
@@ -21,14 +29,13 @@ brink_words bench_wrong(const standing *s)
 {
     brink_words w;
     const int wrong = measure_wrong(&s->all);
-    const double percent = 100 * standing_wrong(s);
+    if (wrong >= 100)
+        return bench_percent(standing_wrong(s));
     if (wrong == 0)
         snprintf(w.text, sizeof w.text, "none");
-    else if (wrong < 100)
+    else
         snprintf(w.text, sizeof w.text, "%d of %.40s", wrong,
                  brink_words_grouped((uint64_t)s->all.n).text);
-    else
-        snprintf(w.text, sizeof w.text, "%.2g %%", percent);
     return w;
 }
 
@@ -37,11 +44,15 @@ brink_words bench_ratio(double ratio)
     brink_words w;
     if (ratio >= 100)
         return brink_words_grouped((uint64_t)(ratio + 0.5));
-    snprintf(w.text, sizeof w.text, "%.*f", ratio < 3 ? 2 : ratio < 10 ? 1 : 0, ratio);
+    snprintf(w.text, sizeof w.text, "%.*f",
+             ratio < 3    ? 2
+             : ratio < 10 ? 1
+                          : 0,
+             ratio);
     return w;
 }
 
-/** The contestant of this rank that has the least cost; NULL if there is none. */
+/** The first of this rank; NULL if there is none. */
 static const standing *of_rank(const contest *c, enum rank rank)
 {
     for (int k = 0; k < c->problem->methods; k++)
@@ -52,33 +63,39 @@ static const standing *of_rank(const contest *c, enum rank rank)
 
 static void tell_ours(FILE *out, const contest *c)
 {
-    const standing *plain = of_rank(c, RANK_PLAIN), *cr = of_rank(c, RANK_CR);
-    const char *baseline = c->of[0].method->label;
-    if (plain == NULL)
-        return;
-    const int wrong = measure_wrong(&plain->all);
+    const standing *plain = of_rank(c, RANK_PLAIN), *cr = of_rank(c, RANK_CR),
+                   *fast = of_rank(c, RANK_FAST);
     fprintf(out, "Of %s answers of %s ",
-            brink_words_grouped((uint64_t)plain->all.n).text, plain->method->about);
-    if (wrong == 0)
-        fprintf(out, "none was wrong, and the worst was off by %s ulp",
-                bench_error(standing_max(plain, 0)).text);
+            brink_words_grouped((uint64_t)plain->all.n).text,
+            plain->method->about);
+    if (measure_wrong(&plain->all) == 0)
+        fprintf(out, "none was wrong, and the worst was off by %s %s",
+                bench_error(standing_max(plain, 0)).text, c->problem->measure[0]);
     else
         fprintf(out, "%s were wrong", bench_wrong(plain).text);
     fprintf(out, "; a call costs %s times what “%s” costs.",
-            bench_ratio(plain->ratio).text, baseline);
+            bench_ratio(plain->ratio).text, c->of[0].method->label);
     if (cr != NULL && measure_wrong(&cr->all) == 0 && standing_max(cr, 0) <= 0.5)
-        fprintf(out, " For %s times, every answer is the double nearest to the truth.",
+        fprintf(out,
+                " For %s times, every answer is the double nearest to the truth.",
                 bench_ratio(cr->ratio).text);
+    if (fast != NULL)
+        fprintf(out,
+                " The fast tier, %s times, may judge a grazing pair otherwise; "
+                "at its "
+                "worst the pair was %s eps of its path from the surface.",
+                bench_ratio(fast->ratio).text,
+                bench_error(standing_max(fast, 1)).text);
 }
 
-/** The rivals, those that were wrong and those that were not. */
+/** Those that were wrong, and those that were not; not the judge, nor ours. */
 static void tell_rivals(FILE *out, const contest *c)
 {
     int right = 0, rivals = 0;
     const standing *best = NULL;
     for (int k = 0; k < c->problem->methods; k++) {
         const standing *s = &c->of[k];
-        if (s->method->rank <= RANK_CR)
+        if (s->method->rank < RANK_FORMULA || s->method->rank == RANK_JUDGE)
             continue;
         rivals++;
         if (measure_wrong(&s->all) > 0)
@@ -91,14 +108,11 @@ static void tell_rivals(FILE *out, const contest *c)
             bench_wrong(&c->of[0]).text);
     if (right == 0)
         fprintf(out, " None of the %d rivals was always right.", rivals);
-    else if (right == 1)
-        fprintf(out, " The only one of %d rivals that was never wrong, %s, costs %s.",
-                rivals, best->method->label, bench_ratio(best->ratio).text);
-    else
+    else if (right < rivals)
         fprintf(out,
-                " Of %d rivals %d were never wrong; the cheapest of them, %s, costs "
-                "%s.",
-                rivals, right, best->method->label, bench_ratio(best->ratio).text);
+                " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s.",
+                rivals, right, right == 1 ? "was" : "were", best->method->label,
+                bench_ratio(best->ratio).text);
 }
 
 char *bench_sentences(const contest *c)
@@ -110,5 +124,22 @@ char *bench_sentences(const contest *c)
         return NULL;
     tell_ours(out, c);
     tell_rivals(out, c);
+    return fclose(out) == 0 ? text : NULL;
+}
+
+char *bench_headline(const contest *c)
+{
+    char *text = NULL;
+    size_t size = 0;
+    const standing *plain = of_rank(c, RANK_PLAIN);
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL)
+        return NULL;
+    fprintf(out,
+            "%s: %s answers, wrong %s of brink’s and %s of those of “%s”; %s "
+            "times the cost.",
+            c->problem->title, brink_words_grouped((uint64_t)plain->all.n).text,
+            bench_wrong(plain).text, bench_wrong(&c->of[0]).text,
+            c->of[0].method->label, bench_ratio(plain->ratio).text);
     return fclose(out) == 0 ? text : NULL;
 }

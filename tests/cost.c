@@ -3,12 +3,18 @@
 #include <stdlib.h>
 #include <time.h>
 
-/** Seconds that a turn should not exceed: short beside a scheduler's, so that some go
- * by undisturbed. */
-static const double TURN = 3e-4;
+/** Seconds that a turn should not exceed: short beside a scheduler's, so that
+ * some go by undisturbed. */
+static const double TURN = 5e-4;
 
-/** And the fewest inputs that are still a sample. */
-enum { FEWEST = 16 };
+/** The parts of the inputs, and the fewest of one that are still a sample. */
+enum { PARTS = 8, FEWEST = 16 };
+
+typedef struct runner {
+    loop *loop;
+    int n; // inputs a turn
+    double best[PARTS];
+} runner;
 
 static double seconds_of(loop *l, const inputs *in, answers *out)
 {
@@ -20,32 +26,53 @@ static double seconds_of(loop *l, const inputs *in, answers *out)
            1e-9 * (double)(to.tv_nsec - from.tv_nsec);
 }
 
-/** So many of the inputs as go into a turn. */
-static inputs share_of(loop *l, const inputs *in, answers *out)
+/** The first n inputs of a part. */
+static inputs part_of(const inputs *in, int part, int n)
 {
+    const size_t begin = (size_t)part * (size_t)(in->n / PARTS);
     inputs few = *in;
-    few.n = FEWEST < in->n ? FEWEST : in->n;
-    l(&few, out); // what is done once only
-    const double one = seconds_of(l, &few, out) / few.n;
-    few.n = (int)fmax(few.n, fmin(in->n, TURN / one));
+    few.n = n;
+    few.rows += begin * (size_t)in->width;
+    for (int k = 0; k < in->width; k++)
+        few.columns[k] += begin;
     return few;
 }
 
-void cost_compare(int count, loop *const loops[], const inputs *in, answers *out,
-                  double seconds, double *ns)
+static runner runner_make(loop *l, const inputs *in, answers *out)
 {
-    inputs *share = malloc((size_t)count * sizeof *share);
+    runner r = {.loop = l};
+    const inputs few = part_of(in, 0, FEWEST);
+    l(&few, out); // what is done once only
+    const double one = seconds_of(l, &few, out) / FEWEST;
+    const int part_size = in->n / PARTS;
+    r.n = (int)fmax(FEWEST, fmin(part_size, TURN / one));
+    for (int part = 0; part < PARTS; part++)
+        r.best[part] = (double)INFINITY;
+    return r;
+}
+
+int cost_compare(int count, loop *const loops[], const inputs *in, answers *out,
+                 double seconds, double *ns)
+{
+    runner *runners = malloc((size_t)count * sizeof *runners);
+    if (runners == NULL)
+        return -1;
     for (int k = 0; k < count; k++)
-        ns[k] = (double)INFINITY;
-    if (share == NULL)
-        return;
-    for (int k = 0; k < count; k++)
-        share[k] = share_of(loops[k], in, out);
-    for (double spent = 0; spent < seconds;)
+        runners[k] = runner_make(loops[k], in, out);
+    double spent = 0;
+    for (int turn = 0; turn < PARTS || spent < seconds; turn++)
         for (int k = 0; k < count; k++) {
-            const double turn = seconds_of(loops[k], &share[k], out);
-            ns[k] = fmin(ns[k], 1e9 * turn / share[k].n);
-            spent += turn;
+            const int part = turn % PARTS;
+            const inputs few = part_of(in, part, runners[k].n);
+            const double took = seconds_of(loops[k], &few, out);
+            runners[k].best[part] = fmin(runners[k].best[part], took);
+            spent += took;
         }
-    free(share);
+    for (int k = 0; k < count; k++) {
+        ns[k] = 0;
+        for (int part = 0; part < PARTS; part++)
+            ns[k] += 1e9 * runners[k].best[part] / (PARTS * runners[k].n);
+    }
+    free(runners);
+    return 0;
 }

@@ -30,8 +30,7 @@ FLOORS = """
     overlap quadratic
     root
     dyadic
-    path
-    exact
+    exact path
 """
 
 ROOT = pathlib.Path(sys.argv[1])
@@ -69,7 +68,9 @@ def check_includes(path):
         return
     for include in re.findall(r'#include [<"](?:brink/)?(\w+)\.h[>"]', path.read_text()):
         theirs = room_of(include)
-        if theirs not in (None, mine) and ROOMS[theirs] <= ROOMS[mine]:
+        if theirs in (None, mine):
+            continue
+        if ROOMS[theirs] <= ROOMS[mine]:
             fault(path, f"includes {include}.h, which does not lie below it")
 
 

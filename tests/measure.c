@@ -48,18 +48,18 @@ void measure_free(sample *s)
     free(s->error[0]);
 }
 
-/** `by`: the measure by which the worst are found. */
-static void judge_all(const problem *p, int by, const inputs *in,
+static void judge_all(const problem *p, const method *m, const inputs *in,
                       const truth *truths, const answers *out, sample *s)
 {
+    judge_of *const judge = m->rank == RANK_SIGN ? p->judge_sign : p->judge;
+    const int by = m->bound_measure; // the worst are found by what is promised
     double bad[MEASURE_WORST] = {0};
     for (int i = 0; i < in->n; i++) {
         double y[PROBLEM_OUTPUTS];
         for (int k = 0; k < p->outputs; k++)
             y[k] = out->x[k][i];
-        const verdict v =
-            p->judge(in->rows + (size_t)i * (size_t)in->width, &truths[i],
-                     out->n[i], y);
+        const verdict v = judge(in->rows + (size_t)i * (size_t)in->width,
+                                &truths[i], out->n[i], y);
         s->wrong[v.wrong]++;
         for (int k = 0; k < MEASURES; k++)
             if (v.error[k] >= 0)
@@ -85,8 +85,7 @@ int measure(const problem *p, int first, int methods, int family, int n,
             p->solve(in->rows + (size_t)i * (size_t)in->width, &truths[i]);
         for (int k = 0; k < methods; k++) {
             p->method[first + k].loop(in, out);
-            judge_all(p, p->method[first + k].bound_measure, in, truths, out,
-                      &samples[k]);
+            judge_all(p, &p->method[first + k], in, truths, out, &samples[k]);
         }
     }
     free(truths);

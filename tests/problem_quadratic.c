@@ -68,11 +68,13 @@ static const method methods[] = {
     {"quadratic/textbook", "textbook", "(-b ± √(b² - 4ac)) / 2a, as in school",
      RANK_FORMULA, baseline_quadratic_textbook_loop, 0, 0},
     {"quadratic/stable", "stable quotient",
-     "q = -(b ± √(b² - 4ac)) / 2, roots q/a and c/q: no cancellation between b and "
+     "q = -(b ± √(b² - 4ac)) / 2, roots q/a and c/q: no cancellation between b "
+     "and "
      "the root",
      RANK_FORMULA, double_roots_loop, 0, 0},
     {"quadratic/kahan", "Kahan's fma",
-     "the stable quotient, and the discriminant to 3/2 ulp by Kahan's way with fma",
+     "the stable quotient, and the discriminant to 3/2 ulp by Kahan's way with "
+     "fma",
      RANK_FORMULA, rival_roots_kahan_loop, 0, 0},
     {"quadratic/gsl", "GSL", "gsl_poly_solve_quadratic", RANK_LIBRARY,
      gsl_poly_solve_quadratic_loop, 0, 0},
@@ -89,7 +91,7 @@ static const method methods[] = {
      RANK_WIDE, rival_roots_mpfr256_loop, 0, 0},
     {"quadratic/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
-     RANK_WIDE, rival_roots_mpfr_loop, 0, 0},
+     RANK_JUDGE, rival_roots_mpfr_loop, 0, 0},
     {"quadratic_roots", "brink", "brink_quadratic_roots", RANK_PLAIN,
      brink_quadratic_roots_loop, BRINK_QUADRATIC_ULP, 0},
     {"quadratic_roots_cr", "brink, _cr", "brink_quadratic_roots_cr", RANK_CR,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// When a pair meets a sphere, and when it leaves it.  Two measures: ulp of the time, and
-// how far from where it should be the pair is at that time, in eps (sigma + |v| t).
+// When a pair meets a sphere, and when it leaves it.  Two measures: ulp of the
+// time, and how far from where it should be the pair is at that time, in eps
+// (sigma + |v| t).
 #include "arithmetics.h"
 #include "baselines.h"
 #include "oracle.h"
@@ -41,10 +42,12 @@ static void solve_disjoint(const double *x, truth *t)
     mpfr_clear(time);
 }
 
-// --- The distance from the surface ---------------------------------------------------
+// --- The distance from the surface
+// ---------------------------------------------------
 //
-// In long double: of 64 bits, 11 more than those that are measured, so the result is good
-// to a percent where it is more than a few eps; its exponents reach every square.
+// In long double: of 64 bits, 11 more than those that are measured, so the result
+// is good to a percent where it is more than a few eps; its exponents reach every
+// square.
 
 static long double size_of(const double x[3])
 {
@@ -90,38 +93,22 @@ static double gap_of_intersection(const double *x, double t)
     return isinf(t) ? depth_missed(x) : in_eps(x, distance_at(x, t) - x[6], t);
 }
 
-// --- Verdicts ------------------------------------------------------------------------
+// --- Verdicts
+// ------------------------------------------------------------------------
 
-/** Of a time that is right, but has lost digits to the end of the range of doubles, no
- * double would put the pair on the surface. */
+/** Of a time that is right, but has lost digits to the end of the range of
+ * doubles, no double would put the pair on the surface. */
 static int is_at_the_end(const verdict *v, const real *exact)
 {
     return v->wrong == WRONG_NOT &&
            (fabs(exact->nearest) < 0x1p-1022 || isinf(exact->nearest));
 }
 
-/** By the time alone. */
-static verdict judge_time(const real *exact, double t)
-{
-    verdict v = {WRONG_NOT, {real_ulps(t, exact), -1}};
-    if (t == exact->hi && (t == 0 || isinf(t)))
-        v.error[0] = -1;
-    if (isnan(t) || t < 0)
-        v.wrong = WRONG_SPURIOUS;
-    else if (isinf(t) && real_is_spurious(t, exact))
-        v.wrong = WRONG_MISSED;
-    else if (!isinf(t) && isinf(exact->hi))
-        v.wrong = WRONG_INVENTED;
-    else if ((t > 0 && exact->hi == 0) || (t == 0 && real_is_spurious(t, exact)))
-        v.wrong = WRONG_NOW;
-    return v;
-}
-
 static verdict judge_intersection(const double *x, const truth *t, int n,
                                   const double *y)
 {
     (void)n;
-    verdict v = judge_time(&t->x[0], y[0]);
+    verdict v = problem_judge_time(&t->x[0], y[0]);
     if (v.wrong == WRONG_SPURIOUS)
         v.error[1] = (double)INFINITY;
     else if (v.error[0] >= 0 && !is_at_the_end(&v, &t->x[0]))
@@ -134,7 +121,7 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
 {
     (void)n;
     const real *exact = &t->x[0];
-    verdict v = judge_time(exact, y[0]);
+    verdict v = problem_judge_time(exact, y[0]);
     if (isinf(y[0]) != isinf(exact->nearest) || v.wrong == WRONG_SPURIOUS)
         v.error[1] = (double)INFINITY;
     else if (v.error[0] >= 0 && !is_at_the_end(&v, exact))
@@ -143,7 +130,8 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     return v;
 }
 
-// --- Ways ----------------------------------------------------------------------------
+// --- Ways
+// ----------------------------------------------------------------------------
 
 #define TIMES(kernel) LOOP(kernel##_loop, out->x[0][i] = kernel(p, p + 3, p[6]))
 
@@ -187,11 +175,11 @@ static const method intersections[] = {
     {"intersection/float128", "__float128", "algorithm 1 in 113 bits", RANK_WIDE,
      quad_intersection_loop, 0, 0},
 #endif
-    {"intersection/mpfr256", "MPFR, 256 bits", "algorithm 1 in 256 bits", RANK_WIDE,
-     rival_intersection_mpfr256_loop, 0, 0},
+    {"intersection/mpfr256", "MPFR, 256 bits", "algorithm 1 in 256 bits",
+     RANK_WIDE, rival_intersection_mpfr256_loop, 0, 0},
     {"intersection/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
-     RANK_WIDE, rival_intersection_mpfr_loop, 0, 0},
+     RANK_JUDGE, rival_intersection_mpfr_loop, 0, 0},
     {"intersection_time_fast", "brink, _fast", "brink_intersection_time_fast",
      RANK_FAST, brink_intersection_time_fast_loop, BRINK_EVENT_TIME_GAP, 1},
     {"intersection_time", "brink", "brink_intersection_time", RANK_PLAIN,
@@ -209,8 +197,8 @@ static const method disjoints[] = {
     {"disjoint/cross", "cross form",
      "put right, with the discriminant as a σ² - |r × v|², each 2 × 2 by fma",
      RANK_FORMULA, rival_disjoint_cross_loop, 0, 0},
-    {"disjoint/long", "long double", "algorithm 2, put right, in 64 bits", RANK_WIDE,
-     long_disjoint_loop, 0, 0},
+    {"disjoint/long", "long double", "algorithm 2, put right, in 64 bits",
+     RANK_WIDE, long_disjoint_loop, 0, 0},
 #ifdef TESTS_FLOAT128
     {"disjoint/float128", "__float128", "algorithm 2, put right, in 113 bits",
      RANK_WIDE, quad_disjoint_loop, 0, 0},
@@ -219,7 +207,7 @@ static const method disjoints[] = {
      RANK_WIDE, rival_disjoint_mpfr256_loop, 0, 0},
     {"disjoint/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
-     RANK_WIDE, rival_disjoint_mpfr_loop, 0, 0},
+     RANK_JUDGE, rival_disjoint_mpfr_loop, 0, 0},
     {"disjoint_time_fast", "brink, _fast", "brink_disjoint_time_fast", RANK_FAST,
      brink_disjoint_time_fast_loop, BRINK_EVENT_TIME_GAP, 1},
     {"disjoint_time", "brink", "brink_disjoint_time", RANK_PLAIN,

@@ -4,11 +4,23 @@
 #include <string.h>
 
 const problem *const problems[] = {
-    &problem_quadratic,
-    &problem_intersection,
-    &problem_disjoint,
+    &problem_quadratic,      &problem_intersection, &problem_disjoint,
+    &problem_halfspace_time, &problem_ball,         &problem_rate,
+    &problem_ball_at,        &problem_rate_at,      &problem_halfspace,
+    &problem_halfspace_rate, &problem_halfspace_at, &problem_step,
+    &problem_core,
 };
 const int problem_count = sizeof problems / sizeof *problems;
+
+const char *const problem_wrong_names[WRONG_KINDS] = {
+    [WRONG_NOT] = "right",
+    [WRONG_MISSED] = "missed",
+    [WRONG_INVENTED] = "invented",
+    [WRONG_NOW] = "now for later",
+    [WRONG_SIGN] = "sign",
+    [WRONG_SIDE] = "side",
+    [WRONG_SPURIOUS] = "0, inf or NaN",
+};
 
 int problem_family(const problem *p, const char *name)
 {
@@ -85,7 +97,8 @@ void answers_free(answers *a)
 
 void real_from(real *x, const mpfr_t exact)
 {
-    // The ulp of a number in [2^(e-1), 2^e) is 2^(e-53), that of subnormals 2^-1074.
+    // The ulp of a number in [2^(e-1), 2^e) is 2^(e-53), that of subnormals
+    // 2^-1074.
     const long e = mpfr_regular_p(exact) ? (long)mpfr_get_exp(exact) - 53 : -1074;
     mpfr_t rest;
     mpfr_init2(rest, 128); // more than a long double has anywhere
@@ -115,4 +128,20 @@ int real_is_spurious(double x, const real *exact)
 {
     // The widest bound that any kernel states is 8 ulp.
     return (x == 0 || !isfinite(x)) && real_ulps(x, exact) > 8;
+}
+
+verdict problem_judge_time(const real *exact, double t)
+{
+    verdict v = {WRONG_NOT, {real_ulps(t, exact), -1}};
+    if (t == exact->hi && (t == 0 || isinf(t)))
+        v.error[0] = -1;
+    if (isnan(t) || t < 0)
+        v.wrong = WRONG_SPURIOUS;
+    else if (isinf(t) && real_is_spurious(t, exact))
+        v.wrong = WRONG_MISSED;
+    else if (!isinf(t) && isinf(exact->hi))
+        v.wrong = WRONG_INVENTED;
+    else if ((t > 0 && exact->hi == 0) || (t == 0 && real_is_spurious(t, exact)))
+        v.wrong = WRONG_NOW;
+    return v;
 }

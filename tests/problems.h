@@ -2,14 +2,14 @@
 #ifndef TESTS_PROBLEMS_H
 #define TESTS_PROBLEMS_H
 /**
- * What the kernels compute, as problems: families of inputs, the right answer, and
- * ways to an answer, the kernels' own and those of rivals.  What the ulp tool and
- * the bench have in common.
+ * What the kernels compute, as problems: families of inputs, the right answer,
+ * and ways to an answer, the kernels' own and those of rivals.  What the ulp tool
+ * and the bench have in common.
  */
 #include "random.h"
 #include <mpfr.h>
 
-enum { PROBLEM_INPUTS = 13, PROBLEM_OUTPUTS = 7 };
+enum { PROBLEM_INPUTS = 14, PROBLEM_OUTPUTS = 7 };
 
 /** n cases twice over: case by case, and as a structure of arrays for batches. */
 typedef struct inputs {
@@ -24,10 +24,10 @@ typedef struct answers {
 } answers;
 
 /** A kernel called on all inputs, directly, so that the loop can be timed. */
-typedef void loop(const inputs *, answers *);
+typedef void loop(const inputs *in, answers *out);
 
-/** A real number to 128 bits, the double nearest to it, and the exponent of the unit
- * in the last place of its binade. */
+/** A real number to 128 bits, the double nearest to it, and the exponent of the
+ * unit in the last place of its binade. */
 typedef struct real {
     long double hi, lo;
     double nearest;
@@ -46,22 +46,36 @@ enum wrong {
     WRONG_INVENTED,
     WRONG_NOW, // now for later, or later for now
     WRONG_SIGN,
+    WRONG_SIDE,     // crossed for reflected, or reflected for crossed
     WRONG_SPURIOUS, // 0, infinity or NaN for a number
     WRONG_KINDS
 };
 
 enum { MEASURES = 2 };
 
-/** How good an answer is by each of the problem's measures: infinite where the answer
- * is wrong beyond measure, negative where there was nothing to measure, such as the
- * time at which a pair rightly never meets. */
+extern const char *const problem_wrong_names[WRONG_KINDS];
+
+/** How good an answer is by each of the problem's measures: infinite where the
+ * answer is wrong beyond measure, negative where there was nothing to measure,
+ * such as the time at which a pair rightly never meets. */
 typedef struct verdict {
     enum wrong wrong;
     double error[MEASURES];
 } verdict;
 
 /** What a way is, for how it is drawn and told. */
-enum rank { RANK_FAST, RANK_PLAIN, RANK_CR, RANK_FORMULA, RANK_LIBRARY, RANK_WIDE };
+enum rank {
+    RANK_FAST,
+    RANK_PLAIN,
+    RANK_CR,
+    RANK_SIGN,    // answers with a sign alone
+    RANK_FORMULA, // here begin the rivals
+    RANK_LIBRARY,
+    RANK_WIDE,
+    RANK_JUDGE // what all others are judged by
+};
+
+typedef verdict judge_of(const double *x, const truth *, int n, const double *y);
 
 typedef struct method {
     const char *name;  // on the command line: a kernel's own, or problem/rival
@@ -75,15 +89,18 @@ typedef struct method {
 
 typedef struct problem {
     const char *name;  // of files
-    const char *title; // of a figure
+    const char *title; // of a section
     const char *about;
     int width, outputs;
+    const signed char
+        *paste; // where the numbers of a line of tests/*.wc are among
+    int pasted; // the inputs, -1 for a 0; NULL: as they come
     int families;
     const char *(*family)(int);
     void (*make)(int family, stream *, double *x);
     const char *usual; // the family over which costs are compared
     void (*solve)(const double *x, truth *);
-    verdict (*judge)(const double *x, const truth *, int n, const double *y);
+    judge_of *judge, *judge_sign;
     const char *measure[MEASURES]; // what the errors are counted in
     int methods;
     const method *method; // the first is the baseline of costs
@@ -93,38 +110,44 @@ extern const problem *const problems[];
 extern const int problem_count;
 
 /** The family of this name, or -1. */
-int problem_family(const problem *, const char *name);
+int problem_family(const problem *p, const char *name);
 
 /** Looks a method up by its name; NULL, or its problem, and its place in *k. */
 const problem *problem_of(const char *name, int *k);
 
 /** The first n inputs of a family that follow from a seed; NULL: no memory. */
-inputs *inputs_make(const problem *, int family, int n, uint64_t seed);
-void inputs_free(inputs *);
+inputs *inputs_make(const problem *p, int family, int n, uint64_t seed);
+void inputs_free(inputs *in);
 answers *answers_make(int n);
-void answers_free(answers *);
+void answers_free(answers *a);
 
-void real_from(real *, const mpfr_t);
+void real_from(real *x, const mpfr_t exact);
 
 /**
- * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024, so
- * rounding to infinity from the edge is an error like any other.  0 where x is the
- * infinity the exact value is or rounds to; +inf for NaN and for a missed infinity.
- * As oracle_ulps, at once.
+ * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024,
+ * so rounding to infinity from the edge is an error like any other.  0 where x is
+ * the infinity the exact value is or rounds to; +inf for NaN and for a missed
+ * infinity. As oracle_ulps, at once.
  */
 double real_ulps(double x, const real *exact);
 
-/** Whether 0, an infinity or NaN stands for something that is nothing of the kind: by
- * more than any rounding to a subnormal or at the edge of the range explains. */
+/** Whether 0, an infinity or NaN stands for something that is nothing of the
+ * kind: by more than any rounding to a subnormal or at the edge of the range
+ * explains. */
 int real_is_spurious(double x, const real *exact);
 
-/** The loop over a kernel: `call` with *p, the inputs of case i, into *out. */
-#define LOOP(name, call)                                                         \
+/** Of an event's time t: whether there is one, and when.  By the first measure.
+ */
+verdict problem_judge_time(const real *exact, double t);
+
+/** The loop over a kernel: statements with *p, the inputs of case i, into *out.
+ */
+#define LOOP(name, ...)                                                          \
     static void name(const inputs *in, answers *out)                             \
     {                                                                            \
         const int n = in->n, width = in->width;                                  \
         const double *p = in->rows;                                              \
         for (int i = 0; i < n; i++, p += width)                                  \
-            call;                                                                \
+            __VA_ARGS__;                                                         \
     }
 #endif

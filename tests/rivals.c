@@ -34,13 +34,15 @@ static double cross_form(double a, const double r[3], const double v[3],
     return a * (sigma * sigma) - (x * x + y * y + z * z);
 }
 
-double rival_intersection_kahan(const double r[3], const double v[3], double sigma)
+double rival_intersection_kahan(const double r[3], const double v[3],
+                                double sigma)
 {
     const coefficients f = rounded(r, v, sigma);
     return double_intersection_for(f.b, f.c, determinant(f.b, f.b, f.a, f.c));
 }
 
-double rival_intersection_cross(const double r[3], const double v[3], double sigma)
+double rival_intersection_cross(const double r[3], const double v[3],
+                                double sigma)
 {
     const coefficients f = rounded(r, v, sigma);
     return double_intersection_for(f.b, f.c, cross_form(f.a, r, v, sigma));
@@ -63,4 +65,10 @@ double rival_disjoint_printed(const double r[3], const double v[3], double sigma
     if (f.b > 0)
         return fmax(0, (sqrt(arg) - f.b) / f.a);
     return fmax(0, -f.c / (sqrt(arg) + f.b));
+}
+
+double rival_ball_factored(const double r[3], double sigma)
+{
+    const double length = sqrt(double_dot(r, r));
+    return (length - sigma) * (length + sigma);
 }

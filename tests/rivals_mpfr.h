@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** oracle.h as rivals, in ORACLE_BITS bits; NAME(f) is a name for f in them. */
-#include "oracle.h"
+#include "oracle_overlap.h"
 #include "rivals.h"
 
 int NAME(roots)(double a, double b, double c, double *x0, double *x1)
@@ -48,5 +48,26 @@ double NAME(halfspace_time)(const double r[3], const double v[3],
     oracle_halfspace(t, r, v, n, c);
     const double nearest = mpfr_get_d(t, ORACLE_N);
     mpfr_clear(t);
+    return nearest;
+}
+
+double NAME(ball)(const double r[3], const double v[3], double sigma, double t)
+{
+    mpfr_t f;
+    mpfr_init2(f, ORACLE_BITS);
+    oracle_ball(f, r, v, sigma, t);
+    const double nearest = mpfr_get_d(f, ORACLE_N);
+    mpfr_clear(f);
+    return nearest;
+}
+
+double NAME(plane)(const double r[3], const double v[3], const double n[3],
+                   const double c[3], double t)
+{
+    mpfr_t f;
+    mpfr_init2(f, ORACLE_BITS);
+    oracle_plane(f, r, v, n, c, t);
+    const double nearest = mpfr_get_d(f, ORACLE_N);
+    mpfr_clear(f);
     return nearest;
 }

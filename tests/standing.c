@@ -3,9 +3,6 @@
 #include "cost.h"
 #include <stdlib.h>
 
-/** Inputs for costs: more than a branch predictor learns by heart. */
-enum { COST_INPUTS = 8192 };
-
 static int by_cost(contest *c, uint64_t seed, double seconds)
 {
     const problem *p = c->problem;
@@ -14,15 +11,13 @@ static int by_cost(contest *c, uint64_t seed, double seconds)
     answers *out = answers_make(COST_INPUTS);
     double *ns = malloc(methods * sizeof *ns);
     loop **loops = malloc(methods * sizeof *loops);
-    const int failed = in == NULL || out == NULL || ns == NULL || loops == NULL;
-    if (!failed) {
-        for (size_t k = 0; k < methods; k++)
-            loops[k] = p->method[k].loop;
-        cost_compare(p->methods, loops, in, out, seconds, ns);
-        for (size_t k = 0; k < methods; k++) {
-            c->of[k].ns = ns[k];
-            c->of[k].ratio = ns[k] / ns[0];
-        }
+    int failed = in == NULL || out == NULL || ns == NULL || loops == NULL;
+    for (size_t k = 0; !failed && k < methods; k++)
+        loops[k] = p->method[k].loop;
+    failed = failed || cost_compare(p->methods, loops, in, out, seconds, ns) != 0;
+    for (size_t k = 0; !failed && k < methods; k++) {
+        c->of[k].ns = ns[k];
+        c->of[k].ratio = ns[k] / ns[0];
     }
     free(loops);
     free(ns);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * How good one kernel is on one family of inputs: ulp KERNEL [family] [count] [seed].
+ * How good one kernel is on one family of inputs: ulp KERNEL [family] [count]
+ * [seed].
  *
- * Every family where none is named.  The worst inputs are printed as hard cases, to be
- * pasted into tests/NAME.wc.  Status: 0, 1 where the kernel did not keep what it
- * promises, 2 for a question that cannot be answered.
+ * Every family where none is named.  The worst inputs are printed as hard cases,
+ * to be pasted into tests/NAME.wc.  Status: 0, 1 where the kernel did not keep
+ * what it promises, 2 for a question that cannot be answered.
  */
 #include "measure.h"
 #include <inttypes.h>
@@ -12,12 +13,6 @@
 #include <stdlib.h>
 
 enum { KEPT, BROKEN, USAGE };
-
-static const char *const wrong_names[WRONG_KINDS] = {
-    [WRONG_MISSED] = "missed", [WRONG_INVENTED] = "invented",
-    [WRONG_NOW] = "now/later", [WRONG_SIGN] = "sign",
-    [WRONG_SPURIOUS] = "spurious",
-};
 
 static void list(FILE *out)
 {
@@ -40,7 +35,7 @@ static void print_wrong(const sample *s)
     const char *before = ": ";
     for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
         if (s->wrong[k] > 0) {
-            printf("%s%s %d", before, wrong_names[k], s->wrong[k]);
+            printf("%s%s %d", before, problem_wrong_names[k], s->wrong[k]);
             before = ", ";
         }
     printf("\n");
@@ -58,8 +53,10 @@ static void print_worst(const problem *p, const method *m, int family,
         const double *x = in->rows + (size_t)s->worst[k] * (size_t)p->width;
         printf("# %s, %s %d of seed %" PRIu64 "\n", m->name, p->family(family),
                s->worst[k], seed);
-        for (int i = 0; i < p->width; i++)
-            printf("%s%a", i > 0 ? " " : "", x[i]);
+        for (int i = 0; i < (p->paste != NULL ? p->pasted : p->width); i++) {
+            const int from = p->paste != NULL ? p->paste[i] : i;
+            printf("%s%a", i > 0 ? " " : "", from < 0 ? 0 : x[from]);
+        }
         printf("\n");
     }
     inputs_free(in);
@@ -73,8 +70,9 @@ static int tell(const problem *p, const method *m, int family, uint64_t seed,
            s->n, seed);
     printf("  %d of them with something to measure\n", s->count[0]);
     for (int k = 0; k < MEASURES && p->measure[k] != NULL; k++) {
-        printf("  max %.4g   99.9 %% %.4g   median %.4g", measure_quantile(s, k, 1),
-               measure_quantile(s, k, 0.999), measure_quantile(s, k, 0.5));
+        printf("  max %.4g   99.9 %% %.4g   median %.4g",
+               measure_quantile(s, k, 1), measure_quantile(s, k, 0.999),
+               measure_quantile(s, k, 0.5));
         if (m->bound > 0 && m->bound_measure == k)
             printf("   promised %g", m->bound);
         printf("   %s\n", p->measure[k]);
@@ -115,8 +113,9 @@ int main(int argc, char **argv)
         return USAGE;
     }
     if (argc > 2 && (only = problem_family(p, argv[2])) < 0) {
-        fprintf(stderr, "ulp: there is no family %s of inputs of %s; ulp alone lists "
-                        "them\n",
+        fprintf(stderr,
+                "ulp: there is no family %s of inputs of %s; ulp alone lists "
+                "them\n",
                 argv[2], argv[1]);
         return USAGE;
     }
