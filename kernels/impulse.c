@@ -121,8 +121,8 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
 
     // s, the speed along `way` times |r|, becomes s' with s'^2 = s^2 - loss.
     dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
-    // A rise of 2^900 is out of reach: it stands for all that are higher.
-    double scaled_rise = fmin(ldexp(rise, -p.em - 2 * p.ev), 0x1p900);
+    double scaled_rise =
+        ldexp(rise, -p.em - 2 * p.ev); // infinite: the exact way it is
     dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
     dd rest = dd_add(ss, dd_negate(loss));
 

@@ -130,8 +130,8 @@ roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
  * The same with the low parts carried along.  2, 0, or -1 where a root cannot be
  * rounded with certainty or the size is not in range.
  *
- * d is off by 5u^2 of its size, which is at most 2^20 d; s, to which the root's
- * error comes at most once, by 2^-85; a root by 2^-84.
+ * d is off by 5u^2 of its size, so sqrt(d) by 2.5u^2 size / sqrt(d) <= 2.5u^2 2^20
+ * sqrt(size), s is no less than sqrt(size / 2), and a root off by 2^-83 at most.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)
 {
@@ -140,7 +140,7 @@ BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1
     double rest = t.lo + (p.lo - q.lo), d = t.hi + rest, size = p.hi + fabs(q.hi);
     if (!is_moderate(size) || !is_moderate(fabs(a)) || !is_moderate(fabs(c)))
         return -1;
-    if (!(d > 0x1p-20 * size)) // Kahan's d has the right sign
+    if (!(d > 0x1p-40 * size)) // Kahan's d has the right sign
         return fma(h, h, -q.hi) - q.lo < 0 ? 0 : -1;
     double root = copysign(sqrt(d), h);
     dd s = two_sum(h, root);

@@ -256,6 +256,10 @@ START_TEST(extreme_rises_do_as_they_must)
         brink_step_impulse(r, 1, 1, -0x1p-1074, BRINK_OUTWARD, v1, v2, &virial),
         1);
     ck_assert(v1[0] == 0x1p500 && v2[0] == -0x1p500);
+    double w1[3] = {0x1p-400, 0, 0}, w2[3] = {0, 0, 0};
+    ck_assert_int_eq(
+        brink_step_impulse(r, 1, 1, -0x1p700, BRINK_OUTWARD, w1, w2, &virial), 1);
+    ck_assert(w1[0] == 0x1p350 && w2[0] == -0x1p350);
 }
 END_TEST
 
@@ -273,6 +277,32 @@ START_TEST(radial_energy_equal_to_the_rise_does_not_suffice)
             ulps < 0);
         if (ulps >= 0)
             ck_assert(v1[0] == 0 && v2[0] == -1 && v1[1] == 2);
+    }
+}
+END_TEST
+
+START_TEST(equality_is_decided_where_double_double_cannot)
+{
+    // m1 = 3 n, m2 = 6 n: mu = 2 n.  v = k r: mu b^2 / (2 r.r) = n k^2 r.r.
+    stream s = {SEED};
+    for (int i = 0; i < CASES; i++) {
+        double n = stream_int(&s, 1, 1 << 12), k = stream_int(&s, 1, 1 << 10);
+        double r[3], rr = 0, virial;
+        for (int j = 0; j < 3; j++) {
+            r[j] = stream_int(&s, 1, 1 << 9);
+            rr += r[j] * r[j];
+        }
+        for (int ulps = -1; ulps <= 1; ulps++) {
+            double rise = n * k * k * rr, v1[3], v2[3] = {0, 0, 0};
+            for (int j = 0; j < 3; j++)
+                v1[j] = k * r[j];
+            rise = ulps < 0   ? nextafter(rise, 0)
+                   : ulps > 0 ? nextafter(rise, DBL_MAX)
+                              : rise;
+            ck_assert_int_eq(brink_step_impulse(r, 3 * n, 6 * n, rise,
+                                                BRINK_OUTWARD, v1, v2, &virial),
+                             ulps < 0);
+        }
     }
 }
 END_TEST
@@ -380,6 +410,7 @@ int main(void)
                      scaling_by_powers_of_two_changes_nothing_else,
                      extreme_rises_do_as_they_must,
                      radial_energy_equal_to_the_rise_does_not_suffice,
+                     equality_is_decided_where_double_double_cannot,
                      no_radial_motion_does_not_cross_a_step_of_nothing,
                      cores_reflect_elastically,
                      pairs_on_the_rim_are_turned_inward,

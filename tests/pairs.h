@@ -208,6 +208,60 @@ static inline void family_wild(stream *s, pair_case *p)
     p->sigma = fabs(p->sigma);
 }
 
+/** b = r.v is the product of two small numbers, behind two large products that cancel
+ *  entirely; and r.r - sigma^2 likewise, or nearly. */
+static inline void family_cancelling(stream *s, pair_case *p)
+{
+    double a = stream_real(s, 0.5, 1), d = stream_real(s, 0.5, 1);
+    int way = stream_int(s, 0, 2);
+    p->r[way] = a;
+    p->r[(way + 1) % 3] = stream_scaled(s, -80, 0);
+    p->r[(way + 2) % 3] = a;
+    p->v[way] = d;
+    p->v[(way + 1) % 3] = stream_scaled(s, -80, 0);
+    p->v[(way + 2) % 3] = stream_int(s, 0, 3) ? -d : stream_near(s, -d, 2);
+    p->sigma = stream_near(s, length_of(p->r), 4);
+}
+
+/** Passing outside, all but at the closest approach: b is next to nothing. */
+static inline void family_passing(stream *s, pair_case *p)
+{
+    family_grazing(s, p);
+    double b = p->r[0] * p->v[0] + p->r[1] * p->v[1] + p->r[2] * p->v[2];
+    double vv = p->v[0] * p->v[0] + p->v[1] * p->v[1] + p->v[2] * p->v[2];
+    double rest = stream_scaled(s, -54, -10);
+    for (int i = 0; i < 3; i++)
+        p->r[i] -= (b / vv + rest) * p->v[i];
+    p->sigma = stream_real(s, 0.1, 0.99);
+}
+
+/** Where squares, products or the answer are on the edge of underflow. */
+static inline void family_edge(stream *s, pair_case *p)
+{
+    static void (*const make[])(stream *, pair_case *) = {
+        family_hits, family_captured, family_grazing, family_contact,
+        family_cancelling};
+    make[stream_int(s, 0, 4)](s, p);
+    int lengths = stream_int(s, -560, -20), times = 0;
+    switch (stream_int(s, 0, 2)) {
+    case 0: // sigma^2 v^2, with sigma^2 as small as the fast ways take it
+        lengths = stream_int(s, -452, -430);
+        times = stream_int(s, -540, -525) - lengths;
+        break;
+    case 1: // r v
+        times = stream_int(s, -1080, -1000) - lengths;
+        break;
+    default: // r / v
+        times = lengths + stream_int(s, 1010, 1076);
+        times = times > 1000 ? 1000 : times;
+    }
+    for (int i = 0; i < 3; i++) {
+        p->r[i] = ldexp(p->r[i], lengths);
+        p->v[i] = ldexp(p->v[i], times);
+    }
+    p->sigma = ldexp(p->sigma, lengths);
+}
+
 typedef struct pair_family {
     const char *name;
     void (*make)(stream *, pair_case *);
@@ -227,6 +281,9 @@ static const pair_family pair_families[] = {
     {"scaled", family_scaled},
     {"wild", family_wild},
     {"axial", family_axial},
+    {"cancelling", family_cancelling},
+    {"passing", family_passing},
+    {"edge", family_edge},
 };
 enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
 #endif

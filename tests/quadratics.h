@@ -133,6 +133,15 @@ static inline void quadratic_sqrt_midpoint(stream *s, quadratic_case *q)
     q->c *= scale;
 }
 
+/** A root that is subnormal, or nearly, beside one that is not. */
+static inline void quadratic_tiny_root(stream *s, quadratic_case *q)
+{
+    int near_one = stream_int(s, 0, 1);
+    q->a = near_one ? stream_scaled(s, -2, 2) : stream_scaled(s, 500, 700);
+    q->b = near_one ? stream_scaled(s, -2, 2) : stream_scaled(s, -60, -20);
+    q->c = stream_scaled(s, -1074, -960);
+}
+
 typedef struct quadratic_family {
     const char *name;
     void (*make)(stream *, quadratic_case *);
@@ -144,7 +153,7 @@ static const quadratic_family quadratic_families[] = {
     {"integers", quadratic_integers},  {"scaled", quadratic_scaled},
     {"wild", quadratic_wild},          {"subnormal", quadratic_subnormal},
     {"huge", quadratic_huge},          {"midpoint", quadratic_midpoint},
-    {"sqrt", quadratic_sqrt_midpoint},
+    {"sqrt", quadratic_sqrt_midpoint}, {"tiny root", quadratic_tiny_root},
 };
 enum {
     QUADRATIC_FAMILIES = sizeof quadratic_families / sizeof *quadratic_families
