@@ -130,8 +130,9 @@ roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
  * The same with the low parts carried along.  2, 0, or -1 where a root cannot be
  * rounded with certainty or the size is not in range.
  *
- * d is off by 5u^2 of its size, so sqrt(d) by 2.5u^2 size / sqrt(d) <= 2.5u^2 2^20
- * sqrt(size), s is no less than sqrt(size / 2), and a root off by 2^-83 at most.
+ * d is off by 5u^2 of its size, so sqrt(d) by 2.5u^2 size / sqrt(d) <= 2.5u^2
+ * 2^20 sqrt(size), s is no less than sqrt(size / 2), and a root off by 2^-83 at
+ * most.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)
 {

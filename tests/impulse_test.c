@@ -283,24 +283,27 @@ END_TEST
 
 START_TEST(equality_is_decided_where_double_double_cannot)
 {
-    // m1 = 3 n, m2 = 6 n: mu = 2 n.  v = k r: mu b^2 / (2 r.r) = n k^2 r.r.
+    // m1 = 2 i (i + j), m2 = 2 j (i + j): mu = 2 i j, but not so in
+    // double-double, where j / (i + j) comes first.  v = k r: mu b^2 / (2 r.r) =
+    // i j k^2 r.r.
     stream s = {SEED};
-    for (int i = 0; i < CASES; i++) {
-        double n = stream_int(&s, 1, 1 << 12), k = stream_int(&s, 1, 1 << 10);
-        double r[3], rr = 0, virial;
-        for (int j = 0; j < 3; j++) {
-            r[j] = stream_int(&s, 1, 1 << 9);
-            rr += r[j] * r[j];
+    for (int c = 0; c < CASES; c++) {
+        double i = stream_int(&s, 1, 1 << 8), j = stream_int(&s, 1, 1 << 8);
+        double m1 = 2 * i * (i + j), m2 = 2 * j * (i + j);
+        double k = stream_int(&s, 1, 1 << 8), r[3], rr = 0, virial;
+        for (int axis = 0; axis < 3; axis++) {
+            r[axis] = stream_int(&s, 1, 1 << 9);
+            rr += r[axis] * r[axis];
         }
         for (int ulps = -1; ulps <= 1; ulps++) {
-            double rise = n * k * k * rr, v1[3], v2[3] = {0, 0, 0};
-            for (int j = 0; j < 3; j++)
-                v1[j] = k * r[j];
+            double rise = i * j * k * k * rr, v1[3], v2[3] = {0, 0, 0};
+            for (int axis = 0; axis < 3; axis++)
+                v1[axis] = k * r[axis];
             rise = ulps < 0   ? nextafter(rise, 0)
                    : ulps > 0 ? nextafter(rise, DBL_MAX)
                               : rise;
-            ck_assert_int_eq(brink_step_impulse(r, 3 * n, 6 * n, rise,
-                                                BRINK_OUTWARD, v1, v2, &virial),
+            ck_assert_int_eq(brink_step_impulse(r, m1, m2, rise, BRINK_OUTWARD,
+                                                v1, v2, &virial),
                              ulps < 0);
         }
     }

@@ -208,8 +208,8 @@ static inline void family_wild(stream *s, pair_case *p)
     p->sigma = fabs(p->sigma);
 }
 
-/** b = r.v is the product of two small numbers, behind two large products that cancel
- *  entirely; and r.r - sigma^2 likewise, or nearly. */
+/** b = r.v is the product of two small numbers, behind two large products that
+ *  cancel entirely; and r.r - sigma^2 likewise, or nearly. */
 static inline void family_cancelling(stream *s, pair_case *p)
 {
     double a = stream_real(s, 0.5, 1), d = stream_real(s, 0.5, 1);
