@@ -42,8 +42,7 @@ void brink_dyadic_dot(brink_dyadic *z, int n, const double *x, const double *y);
 int brink_dyadic_magnitude(const brink_dyadic *a);
 /** Bits of |a| from place `from` up, `count` <= 53 of them, as an integer. */
 uint64_t brink_dyadic_bits(const brink_dyadic *a, int from, int count);
-/** The double nearest to a, ties to even, over- and underflow as IEEE has them.
- */
+/** The double nearest to a, ties to even, out of range as IEEE has it. */
 double brink_dyadic_round(const brink_dyadic *a);
 /** a = (hi + lo) 2^*e with |hi + lo| in [1/2, 1], error < 2u^2 relative; 0 for 0.
  */

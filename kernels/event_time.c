@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The door is at the end here: no condition under
-// which a fast path answers holds for an input that is not finite or out of
-// range, and the slow paths look for those first.
+// The door is at the end here: no condition under which a fast path answers holds
+// for an input that is not finite or out of range; the slow paths look for those
+// first.
 #include "path.h"
 
 #include "event_time.h"
@@ -45,22 +45,30 @@ double brink_intersection_time(const double r[3], const double v[3], double sigm
 
 double brink_disjoint_time(const double r[3], const double v[3], double sigma)
 {
-    rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
-        int outside = is_far_outside(r, sigma);
-        if (outside && is_positive(b))
-            return 0;
-        if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma)))
-            return -sum_of(dot_of(r, v)) /
-                   dot_rounded(v, v); // as parting_time has it
-        sums m = sums_in_lanes(r, v, sigma);
-        double a = dot_rounded(v, v), t = parting_time(&m, a, b, 0);
-        if (t < 0 && !is_known(-sum_of(m.c), m.c_error)) { // on the surface
-            look_closer(&m, r, sigma);
-            t = parting_time(&m, a, b, 0);
+        if (is_far_outside(r, sigma)) {
+            rate b = rate_of(r, v);
+            if (is_positive(b))
+                return 0;
+            if (is_negative(b) && passes_by(chord_of(r, v, sigma)))
+                return -sum_of(dot_of(r, v)) /
+                       dot_rounded(v, v); // see parting_time
         }
-        if (t >= 0)
-            return t;
+        sums m = sums_in_lanes(r, v, sigma);
+        double a = dot_rounded(v, v);
+        if (is_known(-sum_of(m.c), m.c_error)) {
+            double t = leaving_time(&m, a);
+            if (t >= 0)
+                return t;
+        } else {
+            double t = parting_time(&m, a, rate_of(r, v), 0);
+            if (t < 0) { // on the surface, as likely as not
+                look_closer(&m, r, sigma);
+                t = parting_time(&m, a, rate_of(r, v), 0);
+            }
+            if (t >= 0)
+                return t;
+        }
     }
     return brink_disjoint_time_slow(r, v, sigma);
 }
@@ -109,7 +117,7 @@ double brink_disjoint_time_fast(const double r[3], const double v[3],
  *  2^-78 of itself, if d is large enough for that. */
 typedef struct fine_sums {
     dd a, b, c, sum;
-    int c_sign, is_fine; // c_sign is 0 where it is not certain
+    int c_sign, is_fine; // 0 where the sign is not certain; where d is not
 } fine_sums;
 
 /**
@@ -130,8 +138,8 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
     low = high.lo + fma(2 * b.hi, b.lo, (p.lo - q.lo) - low);
     double d = high.hi + low, least = fma(0x1p-20 * a.hi, m.size, 0x1p-800);
     int is_fine = a.hi > 0x1p-800 && d > least;
-    int c_sign =
-        is_known(c.hi, 0x1p25 * m.c_error) - is_known(-c.hi, 0x1p25 * m.c_error);
+    double c_error = 0x1p25 * m.c_error;
+    int c_sign = is_known(c.hi, c_error) - is_known(-c.hi, c_error);
 
     double root = sqrt(is_fine ? d : 1);
     double root_low = (fma(-root, root, high.hi) + low) * (0.5 / root);
@@ -140,15 +148,15 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
     return (fine_sums){a, b, c, sum, c_sign, is_fine};
 }
 
-/** x / y rounded, to 2^-74; or -1 where that cannot be told, or has not all its
- * bits. */
+/** x / y rounded, to 2^-74; or -1 where that cannot be told, or has not all
+ *  its bits. */
 BRINK_INLINE double quotient_told(dd x, dd y)
 {
     double inverse = 1 / y.hi, t = x.hi * inverse; // the residual puts it right
     double residual = fma(-t, y.hi, x.hi) + fma(-t, y.lo, x.lo);
     dd told = fast_two_sum(t, residual * inverse);
-    return is_told(told) && told.hi > 0x1p-800 && told.hi < 0x1p800 ? told.hi
-                                                                    : -1;
+    int has_all_bits = told.hi > 0x1p-800 && told.hi < 0x1p800;
+    return is_told(told) && has_all_bits ? told.hi : -1;
 }
 
 double brink_intersection_time_cr(const double r[3], const double v[3],
@@ -181,10 +189,10 @@ double brink_disjoint_time_cr(const double r[3], const double v[3], double sigma
             return 0;
         double t = -1;
         if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma))) {
-            dd fine = dot_of(r, v); // |b| > 2^-20 P: 7u^2 P are not much
-            if (b.value < -0x1p31 * b.error)
-                t = quotient_told(dd_negate(two_sum(fine.hi, fine.lo)),
-                                  dot_of(v, v));
+            dd fine_b = dot_of(r, v);
+            fine_b = two_sum(fine_b.hi, fine_b.lo);
+            if (b.value < -0x1p31 * b.error) // |b| > 2^-20 P: 7u^2 P are not much
+                t = quotient_told(dd_negate(fine_b), dot_of(v, v));
         } else {
             fine_sums m = fine_sums_of(r, v, sigma);
             if (m.c_sign > 0 && is_positive(b))

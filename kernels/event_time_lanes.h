@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef BRINK_EVENT_TIME_LANES_H
 #define BRINK_EVENT_TIME_LANES_H
-/** Two doubles that go through the same arithmetic: a third less work for one
+/** Two doubles that go through the same arithmetic: less work for a single
  *  pair; not installed. */
 #include "event_time_sums.h"
 #ifdef __FMA__

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the fast paths were not certain: the domain, scaling by powers of two,
-// double- double, and exact numbers for the rest.  The answers are correctly
+// double-double, and exact numbers for the rest.  The answers are correctly
 // rounded.
 #include "path.h"
 
@@ -15,18 +15,17 @@ static int in_domain(const double r[3], const double v[3], double sigma)
     return isfinite(sigma) && sigma >= 0;
 }
 
-// --- Exact
-// ---------------------------------------------------------------------------
+// --- Exact ---------------------------------------------------------------------
 
 typedef struct exact_path {
-    brink_dyadic a, b, c, d;
+    brink_dyadic a, b, c, d; // d = b^2 - a c, which needs no cross product here
 } exact_path;
 
 static void exact_path_make(exact_path *p, const double r[3], const double v[3],
                             double sigma)
 {
-    const double x[4] = {r[0], r[1], r[2], sigma},
-                 y[4] = {r[0], r[1], r[2], -sigma};
+    const double x[4] = {r[0], r[1], r[2], sigma};
+    const double y[4] = {r[0], r[1], r[2], -sigma};
     brink_dyadic bb, ac;
     brink_dyadic_dot(&p->a, 3, v, v);
     brink_dyadic_dot(&p->b, 3, r, v);
@@ -64,16 +63,15 @@ static double disjoint_exact(const double r[3], const double v[3], double sigma)
     return brink_dyadic_quotient(&p.b, &p.a);
 }
 
-// --- Double-double
-// -------------------------------------------------------------------
+// --- Double-double -------------------------------------------------------------
 
-/** a, b, c, d to a few u^2 of the sizes of their terms, which have been scaled to
- * about 1, and which of their signs are certain. */
+/** a, b, c, d to a few u^2 of their terms' sizes, which have been scaled to
+ *  about 1, and their signs. */
 typedef struct fine_path {
     dd a, b, c, d;
-    double p, size, s;          // P; R; sigma^2 a + |r x v|^2
+    double p, size, s;          // P, R, sigma^2 a + |r x v|^2
     int b_sign, c_sign, d_sign; // 2 where it is not certain
-    int unit;                   // times are in 2^unit
+    int unit;                   // times are in units of 2^unit
 } fine_path;
 
 static int certain_sign(double x, double error)
@@ -106,8 +104,8 @@ BRINK_INLINE fine_path fine_path_of(const double r0[3], const double v0[3],
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         dd x = dd_add(two_prod(r[j], v[k]), dd_negate(two_prod(r[k], v[j])));
-        w = dd_add(
-            w, dd_mul(x, x)); // x to 3u^2, its square to 11u^2, the sum to 18u^2
+        w = dd_add(w,
+                   dd_mul(x, x)); // 3u^2 for x, 11u^2 its square, 18u^2 the sum
     }
     dd ssa = dd_mul_d(dd_mul_d(f.a, sigma), sigma); // 11u^2
     f.d = dd_add(ssa, dd_negate(w));
@@ -122,8 +120,8 @@ BRINK_INLINE fine_path fine_path_of(const double r0[3], const double v0[3],
     return f;
 }
 
-/** The double nearest to t 2^unit, t off by `error` of itself; -1 if it cannot be
- * told, or is not in the normal range with all its bits. */
+/** The double nearest to t 2^unit, where t is off by `error` of itself; -1 if
+ *  it cannot be told, or is not in the normal range with all its bits. */
 static double fine_rounded(dd t, double error, int unit)
 {
     double slack = error * t.hi;
@@ -179,12 +177,12 @@ double brink_disjoint_time_slow(const double r[3], const double v[3],
         if (f.b.hi > 0) {
             dd sum = dd_add(root, f.b);
             double error = error_of_sum(&f, sum) + 0x1p-150 * f.size / -f.c.hi;
-            t = fine_rounded(dd_div(dd_negate(f.c), sum), error + 0x1p-101,
-                             f.unit);
+            dd time = dd_div(dd_negate(f.c), sum);
+            t = fine_rounded(time, error + 0x1p-101, f.unit);
         } else {
             dd sum = dd_add(root, dd_negate(f.b));
-            t = fine_rounded(dd_div(sum, f.a), error_of_sum(&f, sum) + 0x1p-101,
-                             f.unit);
+            double error = error_of_sum(&f, sum);
+            t = fine_rounded(dd_div(sum, f.a), error + 0x1p-101, f.unit);
         }
     }
     return t > 0 ? t : disjoint_exact(r, v, sigma);

@@ -4,8 +4,9 @@
 /**
  * A pair in free flight as a polynomial, for the event times; not installed.
  *
- *     f(t) = |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c a = v.v   b = r.v   c =
- *     r.r - sigma^2   d = b^2 - a c = sigma^2 a - |r x v|^2
+ *     f(t) = |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c
+ *     a = v.v,  b = r.v,  c = r.r - sigma^2
+ *     d = b^2 - a c = sigma^2 a - |r x v|^2
  *
  * Three ways to it: filters, which are cheap and know when they are certain; sums
  * that carry their rounding errors along; and in brink_*_time_slow double-double
@@ -16,7 +17,7 @@
  */
 #include "exact.h"
 
-/** The slow ways: any input; correctly rounded; NaN outside the domain. */
+/** The slow ways, for any input: correctly rounded; NaN outside the domain. */
 double brink_intersection_time_slow(const double r[3], const double v[3],
                                     double sigma);
 double brink_disjoint_time_slow(const double r[3], const double v[3],
@@ -74,10 +75,10 @@ typedef struct chord {
     double a, d, s;
 } chord;
 
-/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900.
+/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900:
  *  sigma^2 a is off by 1u + 3u; a component of the cross product, by Kahan's
- *  way, by 2u, its square by 4u, their sum by 3u more; and d, at most half of
- *  s where it matters, by 1u. */
+ *  way, by 2u, its square by 4u, their sum by 3u more; and d, less than s / 2
+ *  where it matters, by 1u. */
 BRINK_INLINE chord chord_of(const double r[3], const double v[3], double sigma)
 {
     double xy = r[1] * v[0], yz = r[1] * v[2], zx = r[0] * v[2];
@@ -104,8 +105,8 @@ BRINK_INLINE int passes_by(chord k)
 
 // --- Plain: sums that carry their errors ---------------------------------------
 
-/** b and c as unevaluated sums of two doubles, what c may be off by where it is
- * less than R / 3, and R. */
+/** b and c as unevaluated sums of two doubles, what c may be off by where it
+ *  is less than R / 3, and R. */
 typedef struct sums {
     dd b, c;
     double c_error, size;
@@ -116,8 +117,9 @@ BRINK_INLINE double sum_of(dd x)
     return x.hi + x.lo;
 }
 
-/** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is exact,
- * and at most 3u of that sum in all; it is added up with five roundings. */
+/** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is
+ *  exact, and at most 3u of that sum in all; it is added up with five
+ *  roundings. */
 BRINK_INLINE dd dot_of(const double x[3], const double y[3])
 {
     dd p = two_prod(x[0], y[0]), q = two_prod(x[1], y[1]);
@@ -126,11 +128,11 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
-/** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R, where R
- * is more than 2^-900, so that what underflows does not count.  Where |c| < R / 3
- * the last difference is exact, and the error of c <= 6u^2 R: u^2 R each for the
- * three additions that the products' errors are in, and 4u^2 r.r, r.r < 2/3 R,
- * for those with the sums'. */
+/** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R,
+ *  where R is more than 2^-900, so that what underflows does not count.  Where
+ *  |c| < R / 3 the last difference is exact, and the error of c <= 6u^2 R: u^2
+ *  R each for the three additions that the products' errors are in, and 4u^2
+ *  r.r, r.r < 2/3 R, for those with the sums'. */
 BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
 {
     dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]);
@@ -141,13 +143,12 @@ BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
     return (sums){dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
 }
 
-/** c anew, off by 2u^2 of itself and 2^-150 R: the parts left over, which are u
- * smaller than R, in double-double. */
+/** c anew, off by 2u^2 of itself and 2^-150 R: the parts left over, which are
+ *  u smaller than R, in double-double. */
 BRINK_INLINE dd fine_c(const double r[3], double sigma)
 {
-    dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]),
-       z = two_prod(r[2], r[2]);
-    dd q = two_prod(-sigma, sigma);
+    dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]);
+    dd z = two_prod(r[2], r[2]), q = two_prod(-sigma, sigma);
     dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
     dd rest = two_sum(x.lo, y.lo);
     rest = dd_add_d(dd_add_d(rest, z.lo), q.lo);
@@ -172,16 +173,16 @@ BRINK_INLINE int is_inside(const sums *m)
     return sum_of(m->c) < -2 * m->c_error;
 }
 
-/** Whether x is off by less than 3u of itself, if by `error`. */
+/** Whether x is off by less than 2.85u of itself, if by `error`. */
 BRINK_INLINE int is_known(double x, double error)
 {
-    return x > 0x1.6p51 * error;
+    return x > 0x1.68p51 * error; // 2^53 / 2.85 = 1.404 2^51
 }
 
 /** d, and whether it is larger than 2^-44 Q, where its error <= 2.4u d.  The
- * products are exact; what follows their leading parts is below 18u Q and takes
- * fewer than ten roundings, which with what a, b, c are off makes 150u^2 Q, or
- * 0.3u of 2^-44 Q. */
+ *  products are exact; what follows their leading parts is below 18u Q and
+ *  takes fewer than ten roundings, which with what a, b, c are off makes
+ *  150u^2 Q, or 0.3u of 2^-44 Q. */
 typedef struct discriminant {
     double d;
     int certain;
@@ -197,10 +198,10 @@ BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
     return (discriminant){d, (a.hi > 0x1p-900) & (d > least)};
 }
 
-/** The intersection time within 8 ulp, of a pair that approaches; -1 where it is
- * not certain.  c is off by 1u + 3u; sqrt(d), at most half of the sum, by 1.2u +
- * 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u,
- * and 8u are at most 8 ulp. */
+/** The intersection time within 8 ulp, of a pair that approaches; -1 where it
+ *  is not certain.  c is off by 1u + 2.85u; sqrt(d), at most half of the sum,
+ *  by 1.2u + 1u, and b by 1u; sum and quotient are rounded: 3.85u + (2.2u +
+ *  1u) / 2 + 2u < 8u, and 8u are at most 8 ulp. */
 BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
 {
     discriminant d = discriminant_of(a, m);
@@ -219,14 +220,16 @@ BRINK_INLINE int is_touching(const double r[3], double sigma)
 
 /**
  * The same of a pair that is touching and does not graze: d = b^2 - a c loses
- * little then. a may be off by 3u, c by 1u + k, b by 1u; a c, d, its root, the
+ * little then. a may be off by 3u, c by 1u + k, b by 1u; b^2, d, its root, the
  * sum and the quotient are rounded.  With w = sqrt(d) / (sqrt(d) - b), which is
  * at most 1/2, the time is off by
  *
- *     (3 + 1) (1 - 2w) / 2w + (1 + k) / 2w + (1 - w) / w + w / 2 + w + 2    in u:
+ *     [1 + k + 3 (1 - 2w) + (1 - w)^2 + 2 (1 - w)] / 2w  +  w / 2 + w + 2
  *
- *     d > b^2 / 3, w > 0.36, k < 0.38:  1.5 + 1.9 + 1.8 + 0.5 + 2 = 7.7
- *     d > 0.95 b^2, w > 0.49, k < 3:    0.1 + 4.1 + 1.1 + 0.7 + 2 = 8
+ * in u, for c, a, b^2, b, d, its root, and the last two roundings:
+ *
+ *     d > b^2 / 3, w > 0.366, k < 0.36:    at most 7.8
+ *     d > 0.95 b^2, w > 0.493, k < 2.85:   at most 7.97
  */
 BRINK_INLINE double meeting_time_touching(const sums *m, double a,
                                           int approaching)
@@ -253,13 +256,15 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
  * The disjoint time within 8 ulp, of a pair that is inside, or near the surface,
  * or that is `passing`; -1 where it is not certain.  `rough` is its rate.
  *
- * d = b^2 - a c loses nothing there.  With errors as above, k < 3 where it is
- * divided by c, and w = sqrt(d) / (sqrt(d) + |b|), the time is off by
+ * d = b^2 - a c loses nothing there.  With errors as above, those of c counted
+ * where it is divided by, and w = sqrt(d) / (sqrt(d) + |b|), the time is off by,
+ * in u,
  *
- *     b > 0: (3 + 1) (2w - 1) / 2w + (1 + k) / 2w + (1 - w)^2 / w + w / 2 + 3
- *            for 1/2 <= w <= 1: at most 4.8 + k, 7.8u at w = 1/2
- *     b < 0, inside: 3 / 2w in place of the terms of a: at most 6.8u
- *     b < 0, just outside, d > 3/4 b^2: 3.3 + 1.8 + 0.5 + 2 = 7.6u
+ *     b > 0, inside:  [1 + k + 3 (2w - 1) + (1 - w)^2 + 2 (1 - w)] / 2w
+ *                     + w / 2 + w + 2:  at most 7.9, at w = 1/2
+ *     b < 0, inside:  with (1 + k) (2w - 1) + 3 for the first two:  at most 7
+ *     b < 0 and d > 3/4 b^2, more than 2^55 times what c puts into it:
+ *                     3.3 + 0.4 + 1.3 + 0.3 + 0.5 + 2 = 7.8
  *
  * A pair that passes by is disjoint from its closest approach on, at -b / a.
  * There |b| > 4u P, so it is off by 1u + 2u, and the time by 7u.
@@ -269,7 +274,8 @@ BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passin
     double b = sum_of(m->b), c = sum_of(m->c);
     double bb = b * b, d = fma(-a, c, bb);
     int inside = is_known(-c, m->c_error);
-    int near = is_negative(rough) & (d > 0.75 * bb);
+    int near =
+        is_negative(rough) & (d > 0.75 * bb) & (d > 0x1p55 * a * m->c_error);
     int certain = passing | (is_in_range(d) & (inside | near));
     int now = is_positive(rough) & is_outside(m);
     int none = passing | (d < 0), later = certain & (a > 0x1p-900);
@@ -278,10 +284,19 @@ BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passin
     return now ? 0 : t;
 }
 
+/** The same of a pair that is inside, which needs no rate; -1 if it is not. */
+BRINK_INLINE double leaving_time(const sums *m, double a)
+{
+    double b = sum_of(m->b), c = sum_of(m->c), d = fma(-a, c, b * b);
+    int certain = is_known(-c, m->c_error) & is_in_range(d) & (a > 0x1p-900);
+    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
+    return certain ? t : -1;
+}
+
 // --- Fast ----------------------------------------------------------------------
 
-/** Whether the squares are of moderate size, and with them all that is made of
- *  them. */
+/** Whether the squares, and with them all that is made of them, are of
+ *  moderate size: 2^-256 to 2^256, by their exponents. */
 BRINK_INLINE int are_in_range(double a, double rr, double ss)
 {
     uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
@@ -289,25 +304,26 @@ BRINK_INLINE int are_in_range(double a, double rr, double ss)
     return all < 512;
 }
 
-/** On the rim c and d are nothing but their errors, which need not agree:
- *  there the pair is at the sphere no later than at its closest approach, -b /
- *  a. */
+/** On the rim c and d are nothing but their errors, which need not agree.  The
+ *  pair is at the sphere no later than at its closest approach, -b / a. */
 BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
 {
     return k.a * c > -b * sum;
 }
 
-/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord
- *  then. */
+/** The disjoint time of a pair inside (c < 0), or outside with b < 0 and the
+ *  chord `outside`; -1 where something is out of range.  Inside, d has no
+ *  cancellation. */
 BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
 {
-    double d_inside = fma(b, b, -a * c),
-           d_outside = outside.d > 0 ? outside.d : 0;
+    double d_inside = fma(b, b, -a * c);
+    double d_outside = outside.d > 0 ? outside.d : 0;
     double d = c < 0 ? d_inside : d_outside;
     double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    int certain =
-        c < 0 ? is_in_range(d) : is_in_range(-b) & is_in_range(outside.s);
-    certain = certain & (a > 0x1p-900) & (c < 0x1p1000);
+    int leaves = (c < 0) & is_in_range(d);
+    int passes =
+        (c >= 0) & (c < 0x1p1000) & is_in_range(-b) & is_in_range(outside.s);
+    int certain = (leaves | passes) & (a > 0x1p-900);
     return certain ? t : -1;
 }
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Double-double throughout, each velocity rounded once at the end: the bounds of
-// the header are those of that last rounding.  With k1 = m2 / (m1 + m2), k2 = m1
-// / (m1 + m2):
-//     v1' = v1 + k1 (b' - b) / (r.r) r,    v2' = v2 - k2 (b' - b) / (r.r) r.
+// the header are those of that last rounding.  With M = m1 + m2,
+//     v1' = v1 + m2 / M (b' - b) / r.r r,    v2' = v2 - m1 / M (b' - b) / r.r r.
 #include "path.h"
 
 #include "dyadic.h"
@@ -66,8 +65,7 @@ static void pair_kick(const pair *p, const dd w[3], double v1[3], double v2[3])
 /** Changes b by `change` along the line of centres; returns the virial. */
 static double pair_change(const pair *p, dd change, double v1[3], double v2[3])
 {
-    if (change.hi ==
-        0) // nothing to do; at r = 0 there is no line of centres either
+    if (change.hi == 0) // at r = 0 there is no line of centres either
         return 0;
     dd w[3], slope = dd_div(change, p->rr);
     for (int i = 0; i < 3; i++)
@@ -121,17 +119,16 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
     pair p;
     pair_make(&p, r, m1, m2, rise, v1, v2);
 
-    // s: speed along `way`, times |r|; it goes from s to s' with s'^2 = s^2 -
-    // loss.
+    // s, the speed along `way` times |r|, becomes s' with s'^2 = s^2 - loss.
     dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
     // A rise of 2^900 is out of reach: it stands for all that are higher.
     double scaled_rise = fmin(ldexp(rise, -p.em - 2 * p.ev), 0x1p900);
     dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
     dd rest = dd_add(ss, dd_negate(loss));
 
-    // Components of r and v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96.
-    // b is off by 8u^2 P, s^2 by 2 P 8u^2 P + 4u^2 P^2 < 2^-88, and loss by 45u^2
-    // < 2^-100 of itself.
+    // Components of r, v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96; b
+    // is off by 8u^2 P, s^2 by 20u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
+    // itself.
     int crosses = rest.hi > 0;
     if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
         crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All of it is two expressions, the ball's and the
-// plane's: a rate is a plane's distance with the velocity for a normal.  Each is
-// written down twice, in double-double with the size of its terms and in dyadics.
+// All of it is two expressions, the ball's and the plane's: a rate is the
+// distance from a plane with the velocity for a normal.  Each is written down
+// twice, in double-double with the size of its terms, and in dyadics.
 #include "overlap.h"
 #include "dyadic.h"
 

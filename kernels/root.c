@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "root.h"
 
-typedef struct wide { // m 2^e, m of moderate size or 0: a double-double of any
-                      // range
+typedef struct wide { // m 2^e, m of moderate size or 0
     dd m;
     int e;
 } wide;

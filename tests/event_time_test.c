@@ -83,6 +83,18 @@ START_TEST(every_promise_is_kept_on_the_hard_cases)
 }
 END_TEST
 
+START_TEST(every_promise_is_kept_on_all_small_integers)
+{
+    for (int n = 0; n < 4 * 4 * 4 * 27 * 5; n++) {
+        pair_case p = {{n % 4, n / 4 % 4, n / 16 % 4},
+                       {n / 64 % 3 - 1, n / 192 % 3 - 1, n / 576 % 3 - 1},
+                       n / 1728};
+        for (size_t k = 0; k < sizeof promises / sizeof *promises; k++)
+            keep(&promises[k], "small integers", n, &p);
+    }
+}
+END_TEST
+
 /** Distance from the surface at time t in eps (sigma + |v| t). */
 static double gap(const pair_case *p, double t)
 {
@@ -117,7 +129,7 @@ static int clear_of_the_rim(const pair_case *p, double eps)
 
 START_TEST(fast_times_lie_on_the_surface)
 {
-    static const int at_scale_one[] = {0, 1, 2, 3, 4, 5, 6};
+    static const int at_scale_one[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12};
     const pair_family *family = &pair_families[at_scale_one[_i]];
     stream s = {SEED};
     pair_case p;
@@ -287,7 +299,8 @@ int main(void)
     tcase_add_loop_test(accuracy, every_promise_is_kept_on_every_family, 0,
                         PAIR_FAMILIES);
     tcase_add_test(accuracy, every_promise_is_kept_on_the_hard_cases);
-    tcase_add_loop_test(accuracy, fast_times_lie_on_the_surface, 0, 7);
+    tcase_add_test(accuracy, every_promise_is_kept_on_all_small_integers);
+    tcase_add_loop_test(accuracy, fast_times_lie_on_the_surface, 0, 11);
     tcase_add_test(accuracy, a_plane_is_met_when_it_is);
     tcase_add_loop_test(accuracy, never_negative_and_never_not_a_number, 0,
                         KERNELS);

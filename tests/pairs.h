@@ -107,6 +107,25 @@ static inline void family_rim(stream *s, pair_case *p)
         p->r[i] = stream_near(s, p->r[i] - b / vv * p->v[i], 2);
 }
 
+/** On the rim, moving along an axis: b = r.v is a single product and certain
+ *  however small, while c = r.r - sigma^2 cancels, to the last bit where r's
+ *  part across the axis is (3, 4) m and sigma 5 m. */
+static inline void family_axial(stream *s, pair_case *p)
+{
+    int axis = stream_int(s, 0, 2), along = (axis + 1) % 3;
+    double m = (double)(stream_bits(s) >> 14); // 50 bits
+    memset(p, 0, sizeof *p);
+    p->sigma = ldexp(5 * m, -52);
+    p->r[axis] = ldexp(3 * m, -52);
+    p->r[(axis + 2) % 3] = ldexp(4 * m, -52);
+    if (stream_int(s, 0, 1))
+        p->r[axis] = stream_near(s, p->r[axis], 2);
+    p->r[along] = stream_scaled(s, -80, -10);
+    p->v[along] = stream_sign(s) * stream_real(s, 0.5, 2);
+    if (stream_int(s, 0, 1))
+        p->v[axis] = stream_scaled(s, -80, -10);
+}
+
 /** Small integers: exact contacts, tangents, r = 0, v = 0 and sigma = 0 among
  * them. */
 static inline void family_integers(stream *s, pair_case *p)
@@ -207,6 +226,7 @@ static const pair_family pair_families[] = {
     {"line", family_line},
     {"scaled", family_scaled},
     {"wild", family_wild},
+    {"axial", family_axial},
 };
 enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
 #endif

@@ -1,103 +1,171 @@
 // SPDX-License-Identifier: MIT
-// Correctly rounded roots against what rounds correctly by itself: the hardware's
-// quotient and square root, and polynomials made from the roots they have.
+#include "random.h"
 #include "suite.h"
 #include <brink/root.h>
-#include <gsl/gsl_rng.h>
-#include <math.h>
-#include <stdio.h>
+#include <mpfr.h>
 
-static gsl_rng *seeded(unsigned long seed)
+// Coefficients of up to four doubles' bits, and what their squares need.
+enum { BITS = 9000, CASES = 4000, SEED = 1 };
+#define N MPFR_RNDN
+
+/** A coefficient m 2^e both ways. */
+typedef struct number {
+    brink_dyadic d;
+    mpfr_t m;
+} number;
+
+static void set(number *x, int64_t m, int e)
 {
-    printf("seed %lu\n", seed);
-    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(rng, seed);
-    return rng;
+    brink_dyadic_integer(&x->d, m, e);
+    mpfr_set_si_2exp(x->m, m, e, N);
 }
 
-// Any finite double but 0, all exponents alike.
-static double any(gsl_rng *rng)
+static int64_t random_integer(stream *s, int bits)
 {
-    for (;;) {
-        const uint64_t bits = (uint64_t)gsl_rng_get(rng) << 32 | gsl_rng_get(rng);
-        const double x = double_of(bits);
-        if (isfinite(x) && x != 0)
-            return x;
-    }
+    int64_t m = (int64_t)(stream_bits(s) >> (64 - bits));
+    return stream_int(s, 0, 1) ? m : -m;
 }
 
-START_TEST(a_quotient_is_the_hardware_s_over_and_underflow_included)
+/** The lower and the upper root of a x^2 + 2 b x + c, by MPFR, without
+ * cancellation. */
+static void roots_by_mpfr(mpfr_t lower, mpfr_t upper, const number *a,
+                          const number *b, const number *c, const mpfr_t d)
 {
-    gsl_rng *rng = seeded(1);
-    for (int k = 0; k < 100000; k++) {
-        const double x = any(rng), y = any(rng);
-        brink_dyadic dx, dy;
-        brink_dyadic_double(&dx, x);
-        brink_dyadic_double(&dy, y);
-        const double q = brink_dyadic_quotient(&dx, &dy);
-        ck_assert_msg(q == x / y, "%a / %a is %a, not %a", x, y, x / y, q);
+    mpfr_sqrt(lower, d, N);
+    if (mpfr_sgn(b->m) < 0)
+        mpfr_neg(lower, lower, N);
+    mpfr_add(lower, lower, b->m, N);
+    mpfr_neg(lower, lower, N);
+    if (mpfr_zero_p(lower))
+        mpfr_set_zero(upper, 1);
+    else
+        mpfr_div(upper, c->m, lower, N);
+    mpfr_div(lower, lower, a->m, N);
+    if (mpfr_greater_p(lower, upper))
+        mpfr_swap(lower, upper);
+}
+
+START_TEST(roots_are_correctly_rounded)
+{
+    stream s = {SEED};
+    number a, b, c;
+    brink_dyadic bb, ac, d;
+    mpfr_t exact, lower, upper;
+    mpfr_inits2(BITS, a.m, b.m, c.m, exact, lower, upper, (mpfr_ptr)0);
+    for (int i = 0; i < CASES; i++) {
+        int bits = stream_int(&s, 3, 62),
+            scale = stream_int(&s, 0, 1) ? 2000 : 60;
+        set(&a, random_integer(&s, bits), stream_int(&s, -scale, scale));
+        set(&b, random_integer(&s, bits), stream_int(&s, -scale, scale));
+        set(&c, random_integer(&s, bits), stream_int(&s, -scale, scale));
+        brink_dyadic_mul(&bb, &b.d, &b.d);
+        brink_dyadic_mul(&ac, &a.d, &c.d);
+        brink_dyadic_sub(&d, &bb, &ac);
+        if (a.d.sign == 0 || d.sign < 0)
+            continue;
+        mpfr_mul(exact, b.m, b.m, N);
+        mpfr_mul(lower, a.m, c.m, N);
+        mpfr_sub(exact, exact, lower, N);
+        roots_by_mpfr(lower, upper, &a, &b, &c, exact);
+        double x0 = brink_dyadic_root(&a.d, &b.d, &c.d, &d, BRINK_LOWER);
+        double x1 = brink_dyadic_root(&a.d, &b.d, &c.d, &d, BRINK_UPPER);
+        if (x0 != mpfr_get_d(lower, N) || x1 != mpfr_get_d(upper, N))
+            ck_abort_msg("case %d (seed %d): got %a and %a, exact %a and %a", i,
+                         SEED, x0, x1, mpfr_get_d(lower, N),
+                         mpfr_get_d(upper, N));
     }
-    gsl_rng_free(rng);
+    mpfr_clears(a.m, b.m, c.m, exact, lower, upper, (mpfr_ptr)0);
 }
 END_TEST
 
-// x^2 - s: b = 0, c = -s, d = s; the roots are -sqrt(s) and sqrt(s).
-START_TEST(a_square_root_is_the_hardware_s)
+START_TEST(quotients_are_correctly_rounded)
 {
-    gsl_rng *rng = seeded(2);
-    for (int k = 0; k < 100000; k++) {
-        const double s = fabs(any(rng));
-        brink_dyadic a, b, c, d;
-        brink_dyadic_integer(&a, 1, 0);
-        brink_dyadic_integer(&b, 0, 0);
-        brink_dyadic_double(&c, -s);
-        brink_dyadic_double(&d, s);
-        const double low = brink_dyadic_root(&a, &b, &c, &d, BRINK_LOWER);
-        const double high = brink_dyadic_root(&a, &b, &c, &d, BRINK_UPPER);
-        ck_assert_msg(low == -sqrt(s) && high == sqrt(s), "s = %a: %a, %a", s,
-                      low, high);
+    stream s = {SEED};
+    number x, y;
+    mpfr_t exact;
+    mpfr_inits2(BITS, x.m, y.m, exact, (mpfr_ptr)0);
+    for (int i = 0; i < CASES; i++) {
+        int bits = stream_int(&s, 3, 62);
+        set(&x, random_integer(&s, bits), stream_int(&s, -1200, 1200));
+        set(&y, random_integer(&s, bits), stream_int(&s, -1200, 1200));
+        if (y.d.sign == 0)
+            continue;
+        mpfr_div(exact, x.m, y.m, N);
+        double got = brink_dyadic_quotient(&x.d, &y.d);
+        if (got != mpfr_get_d(exact, N))
+            ck_abort_msg("case %d (seed %d): got %a, exact %a", i, SEED, got,
+                         mpfr_get_d(exact, N));
     }
-    gsl_rng_free(rng);
+    mpfr_clears(x.m, y.m, exact, (mpfr_ptr)0);
 }
 END_TEST
 
-// (2 x - (p + q))^2 - (q - p)^2 over 4 has the roots p and q, here of up to 62
-// bits: each rounds to (double)p, ties to even included, as a conversion does.
-START_TEST(an_exact_root_of_many_bits_is_rounded_to_nearest_even)
+/** The root m 2^e (1 + nudge 2^-200), m odd and of 54 bits: at or beside a
+ * midpoint. */
+static double root_near_midpoint(int64_t m, int e, int nudge,
+                                 enum brink_which which)
 {
-    gsl_rng *rng = seeded(3);
-    for (int k = 0; k < 100000; k++) {
-        // p a tie between two doubles every other time: 54 bits, the last of them
-        // set
-        const int64_t left = (int64_t)gsl_rng_get(rng);
-        const int64_t right = (int64_t)gsl_rng_get(rng);
-        const int64_t p =
-            k % 2 ? INT64_C(1) << 53 | left << 1 | 1 : left << 29 | right;
-        const int64_t q = p + 1 + (int64_t)gsl_rng_get(rng);
-        brink_dyadic a, b, c, d, dp, dq, sum, half, gap;
-        brink_dyadic_integer(&a, 1, 0);
-        brink_dyadic_integer(&dp, p, 0);
-        brink_dyadic_integer(&dq, q, 0);
-        brink_dyadic_integer(&half, -1, -1);
-        brink_dyadic_add(&sum, &dp, &dq);
-        brink_dyadic_mul(&b, &half, &sum); // -(p + q) / 2
-        brink_dyadic_mul(&c, &dp, &dq);
-        brink_dyadic_sub(&sum, &dp, &dq);
-        brink_dyadic_mul(&gap, &half, &sum);
-        brink_dyadic_mul(&d, &gap, &gap); // ((q - p) / 2)^2
-        const double low = brink_dyadic_root(&a, &b, &c, &d, BRINK_LOWER);
-        const double high = brink_dyadic_root(&a, &b, &c, &d, BRINK_UPPER);
-        ck_assert_msg(low == (double)p && high == (double)q,
-                      "%jd and %jd: %a, %a", (intmax_t)p, (intmax_t)q, low, high);
+    // (x - p)(x - q) = x^2 - (p + q) x + p q with q far below or above p; p = m +
+    // nudge
+    brink_dyadic one, p, q, little, sum, half, b, c, bb, d;
+    brink_dyadic_integer(&one, 1, 0);
+    brink_dyadic_integer(&half, -1, -1);
+    brink_dyadic_integer(&little, nudge * m, e - 200);
+    brink_dyadic_integer(&sum, m, e);
+    brink_dyadic_add(&p, &sum, &little);
+    brink_dyadic_integer(&q, which == BRINK_UPPER ? -3 * m : 3 * m, e);
+    brink_dyadic_add(&sum, &p, &q);
+    brink_dyadic_mul(&b, &half, &sum);
+    brink_dyadic_mul(&c, &p, &q);
+    brink_dyadic_mul(&bb, &b, &b);
+    brink_dyadic_sub(&d, &bb, &c);
+    return brink_dyadic_root(&one, &b, &c, &d, m < 0 ? 1 - which : which);
+}
+
+START_TEST(midpoints_go_to_even_and_their_neighbours_to_their_side)
+{
+    stream s = {SEED};
+    for (int i = 0; i < CASES; i++) {
+        int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
+        int e = stream_int(&s, -1074, 970);
+        double down = ldexp((double)low, e), up = ldexp((double)(low + 1), e);
+        double even = low % 2 == 0 ? down : up;
+        for (int which = 0; which < 2; which++)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                enum brink_which w = (enum brink_which)which;
+                int64_t m = sign * (2 * low + 1);
+                ck_assert(root_near_midpoint(m, e - 1, 0, w) == sign * even);
+                ck_assert(root_near_midpoint(m, e - 1, -1, w) == sign * down);
+                ck_assert(root_near_midpoint(m, e - 1, 1, w) == sign * up);
+            }
     }
-    gsl_rng_free(rng);
+}
+END_TEST
+
+START_TEST(the_edges_of_the_range_round_as_ieee_has_it)
+{
+    brink_dyadic x, y;
+    brink_dyadic_integer(&y, 1, 0);
+    brink_dyadic_integer(&x, 1, -1075); // half of the least double: a tie, to 0
+    ck_assert(brink_dyadic_quotient(&x, &y) == 0);
+    brink_dyadic_integer(&x, 3, -1076);
+    ck_assert(brink_dyadic_quotient(&x, &y) == 0x1p-1074);
+    brink_dyadic_integer(&x, (INT64_C(1) << 54) - 1, 970); // tie with 2^1024
+    ck_assert(isinf(brink_dyadic_quotient(&x, &y)));
+    brink_dyadic_integer(&x, (INT64_C(1) << 55) - 3, 969);
+    ck_assert(brink_dyadic_quotient(&x, &y) == DBL_MAX);
+    brink_dyadic_integer(&x, -5, 4000);
+    ck_assert(brink_dyadic_quotient(&x, &y) == -(double)INFINITY);
+    brink_dyadic_integer(&x, -5, -4000);
+    double zero = brink_dyadic_quotient(&x, &y);
+    ck_assert(zero == 0 && signbit(zero));
 }
 END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("root", 120,
-                     a_quotient_is_the_hardware_s_over_and_underflow_included,
-                     a_square_root_is_the_hardware_s,
-                     an_exact_root_of_many_bits_is_rounded_to_nearest_even);
+    return RUN_SUITE("root", 300, roots_are_correctly_rounded,
+                     quotients_are_correctly_rounded,
+                     midpoints_go_to_even_and_their_neighbours_to_their_side,
+                     the_edges_of_the_range_round_as_ieee_has_it);
 }
