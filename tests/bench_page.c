@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "bench_page.h"
 #include "bench_count.h"
+#include "bench_families.h"
 #include "bench_plots.h"
 #include "bench_speed.h"
 #include "bench_words.h"
+#include "cost.h"
 #include "problems_all.h"
 #include "report.h"
 #include <inttypes.h>
@@ -12,7 +14,11 @@
 #include <string.h>
 #include <sys/utsname.h>
 
-enum { COLUMNS = 24 };
+enum {
+    COLUMNS = 24,
+    MAIN = 3, // the problems with all there is to them
+    HERO = 1  // the one that the page begins with
+};
 
 // --- Tables --------------------------------------------------------------------------
 
@@ -46,8 +52,8 @@ static void put_count(brink_report *r, int count)
 
 static void put_errors(brink_report *r, const standing *s, int measure)
 {
-    static const double parts[] = {0.5, 0.999, 1};
-    for (int k = measure == 0 ? 0 : 2; k < 3; k++)
+    static const double parts[] = {0.5, 1};
+    for (int k = measure == 0 ? 0 : 1; k < 2; k++)
         if (s->method->rank == RANK_SIGN)
             brink_report_cell(r, " ");
         else
@@ -62,21 +68,20 @@ static void write_summary(brink_report *r, const contest *c, const char *file)
     const problem *p = c->problem;
     columns head = {0};
     double instructions[64];
-    char caption[400], gap[100];
+    char caption[400];
     bench_count_read(file, p, instructions);
     snprintf(caption, sizeof caption,
-             "%s cases. Cost: a multiple of the first line's, nanoseconds and "
-             "instructions a call, on %s input. Errors in %s.",
+             "%s cases. Cost, a multiple of the first line's, and instructions a call, on "
+             "%s input; errors in %s%s%s.",
              brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual,
-             p->measure[0]);
-    snprintf(gap, sizeof gap, "worst in %s",
+             p->measure[0], p->measure[1] != NULL ? "; of the second worst in " : "",
              p->measure[1] != NULL ? p->measure[1] : "");
-    for (const char *const *h = (const char *const[]){"", "cost", "ns", "instructions",
-                                                      "median", "99.9 %", "worst", NULL};
+    for (const char *const *h = (const char *const[]){"", "cost", "instructions", "median",
+                                                      "worst", NULL};
          *h != NULL; h++)
         add_column(&head, *h);
     if (p->measure[1] != NULL)
-        add_column(&head, gap);
+        add_column(&head, "worst");
     for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
         if (is_seen(c, k))
             add_column(&head, problem_wrong_names[k]);
@@ -85,7 +90,6 @@ static void write_summary(brink_report *r, const contest *c, const char *file)
         const standing *s = &c->of[k];
         brink_report_cell(r, "%s", s->method->label);
         brink_report_cell(r, "%s", bench_ratio(s->ratio).text);
-        brink_report_cell(r, "%s", bench_ratio(s->ns).text);
         if (isnan(instructions[k]))
             brink_report_cell(r, " ");
         else
@@ -101,22 +105,32 @@ static void write_summary(brink_report *r, const contest *c, const char *file)
     brink_report_table_end(r);
 }
 
+/** Whether a method has a column among the wrong: ours always. */
+static int is_worth_telling(const standing *s)
+{
+    return s->method->rank < RANK_FORMULA || measure_wrong(&s->all) > 0;
+}
+
 /** Wrong answers, a line a family. */
 static void write_families(brink_report *r, const contest *c)
 {
     const problem *p = c->problem;
     columns head = {0};
-    char caption[200];
-    snprintf(caption, sizeof caption, "Wrong answers of %s in each family of inputs.",
+    char caption[300];
+    snprintf(caption, sizeof caption,
+             "Wrong answers, of %s in each family of inputs. Who has no column was "
+             "never wrong.",
              brink_words_grouped((uint64_t)c->of[0].family[0].n).text);
     add_column(&head, "family");
     for (int k = 0; k < p->methods; k++)
-        add_column(&head, c->of[k].method->label);
+        if (is_worth_telling(&c->of[k]))
+            add_column(&head, c->of[k].method->label);
     brink_report_table(r, caption, head.count, head.align, head.head);
     for (int f = 0; f < p->families; f++) {
         brink_report_cell(r, "%s", p->family(f));
         for (int k = 0; k < p->methods; k++)
-            put_count(r, measure_wrong(&c->of[k].family[f]));
+            if (is_worth_telling(&c->of[k]))
+                put_count(r, measure_wrong(&c->of[k].family[f]));
     }
     brink_report_table_end(r);
 }
@@ -154,6 +168,17 @@ static void draw(brink_report *r, char *script, const problem *p, const char *wh
     free(script);
 }
 
+static void draw_scatter(brink_report *r, const contest *c)
+{
+    char caption[400];
+    snprintf(caption, sizeof caption,
+             "%s: cost against error. Each line is one way to the answer, from its median "
+             "error to its worst. A cross: it was wrong about whether, not only about how "
+             "much.",
+             c->problem->title);
+    draw(r, bench_scatter(c, 0), c->problem, "", caption);
+}
+
 /** A problem that most will look at, with all there is to it. */
 static void write_contest(brink_report *r, const contest *c, const char *counts)
 {
@@ -161,9 +186,8 @@ static void write_contest(brink_report *r, const contest *c, const char *counts)
     brink_report_heading(r, 2, "%s", p->title);
     brink_report_paragraph(r, "%s", p->about);
     write_text(r, bench_sentences(c));
-    draw(r, bench_scatter(c, 0), p, "",
-         "Cost against error: each line is one way to the answer, from its median error "
-         "to its worst. A cross: it was wrong about whether, not only about how much.");
+    if (c->problem != problems[HERO])
+        draw_scatter(r, c);
     draw(r, bench_distribution(c, 0), p, "-errors",
          "How many answers are how far off. A curve that falls to the ground has a worst "
          "answer; one that runs into the column at the right has wrong ones.");
@@ -180,7 +204,7 @@ static void write_minor(brink_report *r, const contest *c, const char *counts)
 {
     brink_report_heading(r, 3, "%s", c->problem->title);
     brink_report_paragraph(r, "%s", c->problem->about);
-    draw(r, bench_scatter(c, 0), c->problem, "", "Cost against error.");
+    draw_scatter(r, c);
     write_summary(r, c, counts);
 }
 
@@ -193,10 +217,9 @@ static void write_beginning(brink_report *r, const contest *c)
            "answer can end it. This page sets what an answer costs against how good it "
            "is: for brink's kernels, for the formulas as one finds them in print, for "
            "other libraries, and for arithmetic with more digits.");
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < MAIN; k++)
         write_text(r, bench_headline(&c[k]));
-    draw(r, bench_scatter(&c[1], 0), c[1].problem, "-first",
-         "When do two balls meet? Cost against error; how to read it, below.");
+    draw_scatter(r, &c[HERO]);
     brink_report_heading(r, 2, "How to read this");
     brink_report_paragraph(
         r, "A computer's number, a double, holds some 16 decimal digits. The distance from "
@@ -219,6 +242,10 @@ static void write_beginning(brink_report *r, const contest *c)
            "something, each with the same weight. So the percentages do not say how often "
            "a simulation goes wrong; the tables say which family did it. Everything is "
            "judged by MPFR with so many digits that sums and products are exact.");
+    brink_report_paragraph(
+        r, "Missed: there is a root, or a meeting, and the answer was none. Invented: the "
+           "reverse. Now/later: the time is 0 and the answer was not, or the reverse. "
+           "Spurious: 0, infinity or NaN for a number that is none of these.");
 }
 
 static void write_speed(brink_report *r, const bench_settings *s)
@@ -230,7 +257,7 @@ static void write_speed(brink_report *r, const bench_settings *s)
            "process, taking turns over %d inputs, more than a processor's branch "
            "prediction can learn by heart. A batch answers many pairs at a time and is "
            "set beside the scalar loop of its baseline.",
-        65536);
+        COST_INPUTS);
     for (const char *const *h =
              (const char *const[]){"kernel", "inputs", "beside", "ns", "its ns", "ratio",
                                    "asked: at most", "", NULL};
@@ -296,7 +323,6 @@ static void write_end(brink_report *r, const bench_settings *s)
 
 int bench_page(const bench_settings *s)
 {
-    enum { MAIN = 3 }; // the problems with all there is to them
     brink_report r;
     int failed = 0;
     contest *c = calloc((size_t)problem_count, sizeof *c);
@@ -314,6 +340,7 @@ int bench_page(const bench_settings *s)
     write_beginning(&r, c);
     for (int k = 0; k < MAIN; k++)
         write_contest(&r, &c[k], s->instructions);
+    bench_families(&r);
     brink_report_heading(&r, 2, "The further kernels");
     for (int k = MAIN; k < problem_count; k++)
         write_minor(&r, &c[k], s->instructions);

@@ -9,7 +9,7 @@
 #define LINE  0.042 // a line of text, as a part of the height
 #define BAND  0.13  // the column for what is wrong, as a part of the width to its left
 #define FRAME                                                                    \
-    "set terminal svg size 860,540 dynamic enhanced font 'sans-serif,14' "       \
+    "set terminal svg size 860,540 dynamic enhanced font 'sans-serif,15' "       \
     "background '#ffffff'\nunset key\nset tmargin 3\n"                           \
     "set style textbox opaque noborder margins 0.3,0.1\n"
 #define SMALL 1e-30  // for errors that are 0, and so far to the left
@@ -153,7 +153,7 @@ static void write_error_axis(const chart *g, const char *unit, int measure)
                 "set arrow 1 from 0.5, graph 0 to 0.5, graph 1.02 nohead lc rgb "
                 "'#5b6575' dt 3 lw 1.5\n"
                 "set label 1 '½ ulp: nothing is nearer' at 0.5, graph 1.03 center offset "
-                "0,0.3 tc rgb '#5b6575' font ',12'\n");
+                "0,0.3 tc rgb '#5b6575' font ',13'\n");
 }
 
 static int by_cost(const void *a, const void *b)
@@ -192,7 +192,7 @@ static void write_wrong(const chart *g, const mark *m, int tag, double x)
             tag, x, m->cost, g->end, m->label, m->colour);
     fprintf(g->out,
             "set label %d '%s%s  %s×%s  %s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb '%s' "
-            "font ',13'\n",
+            "font ',14'\n",
             tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
             bench_ratio(s->ratio).text, m->is_ours ? "}" : "",
             bench_percent(m->share).text, g->end, m->label, m->colour);
@@ -209,7 +209,7 @@ static void write_right(const chart *g, const mark *m, int tag, double x)
             tag, x, m->cost, m->colour);
     fprintf(g->out,
             "set label %d '%s%s  %s×%s' at 10**%.4f, 10**%.4f offset %s,0 %s tc rgb '%s' "
-            "font ',13' front\n",
+            "font ',14' front\n",
             tag + 1, m->is_ours ? "{/:Bold " : "", name_of(s).text,
             bench_ratio(s->ratio).text, m->is_ours ? "}" : "", x, m->label,
             far ? "-0.5" : "0.9", far ? "right" : "left", m->colour);
@@ -242,11 +242,11 @@ char *bench_scatter(const contest *c, int measure)
     chart g;
     if (chart_make(&g, c, measure, &script, &size) == 0) {
         write_error_axis(&g, c->problem->measure[measure], measure);
-        fprintf(g.out, FRAME "set lmargin 8\nset rmargin 33\n"
-                       "set label 2 '↙ better' at graph 0, graph 0 offset 1,0.9 tc rgb "
-                       "'#5b6575' font ',12'\n");
+        fprintf(g.out, FRAME "set lmargin 8\nset rmargin 28\n"
+                       "set label 2 '↙ better' at screen 0.012, 0.035 tc rgb "
+                       "'#5b6575' font ',13'\n");
         fprintf(g.out, "set label 3 'cost, and part wrong' at graph 1, graph 1.03 offset "
-                       "0.5,0.3 tc rgb '#5b6575' font ',12'\n");
+                       "0.5,0.3 tc rgb '#5b6575' font ',13'\n");
         fprintf(g.out, "set ylabel 'cost, as a multiple of “%s”' offset 1,0\n",
                 name_of(&c->of[0]).text);
         fprintf(g.out, "set yrange [10**%g:10**%g]\n", g.low, g.high);
@@ -289,23 +289,31 @@ static double crossing(const chart *g, const mark *m, int measure, double level)
     return x;
 }
 
-static void write_curve_label(const chart *g, const mark *m, int tag, int nth,
-                              int measure)
+/** The names of those that were wrong stand where their curves end, in the margin. */
+static void write_margin_label(const chart *g, const mark *m, int tag)
 {
-    const char *bold = m->is_ours ? "{/:Bold " : "", *end = m->is_ours ? "}" : "";
-    if (m->is_wrong) {
-        fprintf(g->out,
-                "set label %d '%s%s%s' at graph 1, first 10**%.4f offset 0.8,0 tc rgb "
-                "'%s' font ',13'\n",
-                tag, bold, name_of(m->of).text, end, m->label, m->colour);
-        return;
-    }
-    const double level = -1.2 - 0.42 * nth;
     fprintf(g->out,
-            "set label %d '%s%s%s' at 10**%.4f, 10**%.4f offset 0.5,0 tc rgb '%s' font "
-            "',13' front boxed\n",
-            tag, bold, name_of(m->of).text, end,
-            crossing(g, m, measure, pow(10, level)), level, m->colour);
+            "set label %d '%s%s%s' at graph 1, first 10**%.4f offset 0.8,0 tc rgb '%s' "
+            "font ',14'\n",
+            tag, m->is_ours ? "{/:Bold " : "", name_of(m->of).text,
+            m->is_ours ? "}" : "", m->label, m->colour);
+}
+
+/** The others' in a column beside where they fall, each with a line to its curve. */
+static void write_curve_label(const chart *g, const mark *m, int tag, int nth,
+                              int measure, double column)
+{
+    const double level = -1 - 0.4 * nth, at = crossing(g, m, measure, pow(10, level));
+    const double x = fmax(at, column) + 0.4;
+    fprintf(g->out,
+            "set arrow %d from 10**%.4f, 10**%.4f to 10**%.4f, 10**%.4f nohead lc rgb "
+            "'%s' lw 0.7\n",
+            tag, at, level, x, level, m->colour);
+    fprintf(g->out,
+            "set label %d '%s%s%s' at 10**%.4f, 10**%.4f offset 0.3,0 tc rgb '%s' font "
+            "',14' front boxed\n",
+            tag, m->is_ours ? "{/:Bold " : "", name_of(m->of).text,
+            m->is_ours ? "}" : "", x, level, m->colour);
 }
 
 char *bench_distribution(const contest *c, int measure)
@@ -328,13 +336,19 @@ char *bench_distribution(const contest *c, int measure)
                        "1e-6)\n",
                 g.low);
         int right = 0;
-        for (int k = 0; k < g.marks; k++) // labels stand where the curves end
+        double column = 0; // where those that are not far off have fallen
+        for (int k = 0; k < g.marks; k++) {
+            if (!g.mark[k].is_wrong && g.mark[k].max < 1.5)
+                column = fmax(column, g.mark[k].max);
             g.mark[k].cost = decades(standing_above(g.mark[k].of, measure, 1e19));
+        }
         spread_labels(&g, 1);
         for (int k = 0; k < g.marks; k++) {
             write_curve(&g, &g.mark[k], k, measure, pow(10, g.low));
-            write_curve_label(&g, &g.mark[k], 10 + k, right, measure);
-            right += !g.mark[k].is_wrong;
+            if (g.mark[k].is_wrong)
+                write_margin_label(&g, &g.mark[k], 10 + k);
+            else
+                write_curve_label(&g, &g.mark[k], 10 + k, right++, measure, column);
         }
         fprintf(g.out, "plot NaN");
         for (int k = 0; k < g.marks; k++)

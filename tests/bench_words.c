@@ -99,9 +99,12 @@ static void tell_rivals(FILE *out, const contest *c)
     if (right == 0)
         fprintf(out, " None of the %d rivals was always right.", rivals);
     else if (right < rivals)
-        fprintf(out, " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s.",
+        fprintf(out,
+                " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s and was off "
+                "by up to %s %s.",
                 rivals, right, right == 1 ? "was" : "were", best->method->label,
-                bench_ratio(best->ratio).text);
+                bench_ratio(best->ratio).text,
+                bench_error(standing_max(best, 0)).text, c->problem->measure[0]);
 }
 
 char *bench_sentences(const contest *c)
@@ -124,7 +127,9 @@ char *bench_headline(const contest *c)
     FILE *out = open_memstream(&text, &size);
     if (out == NULL)
         return NULL;
-    fprintf(out, "%s: %s answers, wrong %s of brink’s and %s of those of “%s”; %s times the cost.",
+    fprintf(out,
+            "%s. Wrong of %s answers: %s of brink’s, %s of those of “%s”, at %s times the "
+            "latter’s cost.",
             c->problem->title, brink_words_grouped((uint64_t)plain->all.n).text,
             bench_wrong(plain).text, bench_wrong(&c->of[0]).text,
             c->of[0].method->label, bench_ratio(plain->ratio).text);

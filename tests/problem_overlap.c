@@ -204,15 +204,15 @@ QUANTITY(halfspace_at, (p, p + 3, p + 6, p + 9, p[12]), halfspace_overlap_at,
         .method = q##_methods,                                                   \
     };
 
-PROBLEM(ball, "Overlap of two balls", "r·r - σ²: are they apart, in touch, or inside?",
+PROBLEM(ball, "Overlap of two balls", "r·r - σ²: are they apart, in touch, or one inside the other?",
         make_pair, 7, paste_pair)
-PROBLEM(rate, "Its rate", "r·v: are they coming nearer?", make_pair, 7, paste_pair)
+PROBLEM(rate, "Nearer or farther", "r·v: are they coming nearer?", make_pair, 7, paste_pair)
 PROBLEM(ball_at, "Overlap of two balls, later", "|r + v t|² - σ²", make_pair_at, 8,
         paste_pair_at)
-PROBLEM(rate_at, "Its rate, later", "v·(r + v t)", make_pair_at, 8, paste_pair_at)
+PROBLEM(rate_at, "Nearer or farther, later", "v·(r + v t)", make_pair_at, 8, paste_pair_at)
 PROBLEM(halfspace, "Overlap with a wall", "n·(r - c): on which side of a plane?",
         make_plane, 9, paste_plane)
-PROBLEM(halfspace_rate, "Its rate", "n·v: towards the plane, or away?", make_rates, 6,
+PROBLEM(halfspace_rate, "Towards a wall", "n·v: towards the plane, or away?", make_rates, 6,
         paste_rates)
 PROBLEM(halfspace_at, "Overlap with a wall, later", "n·(r + v t - c)", make_plane_at,
         13, paste_plane_at)

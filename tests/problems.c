@@ -22,9 +22,9 @@ const int problem_count = sizeof problems / sizeof *problems;
 
 const char *const problem_wrong_names[WRONG_KINDS] = {
     [WRONG_NOT] = "right",       [WRONG_MISSED] = "missed",
-    [WRONG_INVENTED] = "invented", [WRONG_NOW] = "now for later",
+    [WRONG_INVENTED] = "invented", [WRONG_NOW] = "now/later",
     [WRONG_SIGN] = "sign",       [WRONG_SIDE] = "side",
-    [WRONG_SPURIOUS] = "0, inf or NaN",
+    [WRONG_SPURIOUS] = "spurious",
 };
 
 int problem_family(const problem *p, const char *name)

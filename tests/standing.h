@@ -6,7 +6,7 @@
 
 typedef struct standing {
     const method *method;
-    sample *family; // one a family
+    sample *family; // one a family: counts, no errors
     sample all;     // of all families together, each the same number of cases
     double ns;      // a call on usual input
     double ratio;   // to the baseline's
