@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * Which path a call takes: see paths.h.  Compiled with BRINK_DISPATCH where the build made
- * more than one.
+ * Which path a call takes: see isa.h.  Compiled with BRINK_DISPATCH where the
+ * build made more than one.
  *
- * It is decided at every call, by a load, a test and a predicted branch.  The word looked
- * at is filled in by the compiler's run-time library before main.  An ifunc would save
- * the test, but its resolver runs before a sanitizer is ready, and not every C library
- * has it; a pointer of our own would be global state.
+ * It is decided at every call, by a load, a test and a predicted branch.  The
+ * word looked at is filled in by the compiler's run-time library before main.  An
+ * ifunc would save the test, but its resolver runs before a sanitizer is ready,
+ * and not every C library has it; a pointer of our own would be global state.
  */
+#include "exact.h" // refuses -ffast-math
+
 #ifdef BRINK_DISPATCH
 #include "event_time.h"
 #include "impulse.h"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The door is at the end here: no condition under which a fast path answers holds for an
-// input that is not finite or out of range, and the slow paths look for those first.
-#include "paths.h"
+// The door is at the end here: no condition under which a fast path answers holds
+// for an input that is not finite or out of range, and the slow paths look for
+// those first.
+#include "isa.h"
 
 #include "event_time.h"
-#include "lanes.h"
+#include "event_time_lanes.h"
 
-// --- Plain ---------------------------------------------------------------------------
+// --- Plain
+// ---------------------------------------------------------------------------
 
 double brink_intersection_time(const double r[3], const double v[3], double sigma)
 {
@@ -44,7 +46,8 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
     return brink_disjoint_time_slow(r, v, sigma);
 }
 
-// --- Fast ----------------------------------------------------------------------------
+// --- Fast
+// ----------------------------------------------------------------------------
 
 double brink_intersection_time_fast(const double r[3], const double v[3],
                                     double sigma)
@@ -82,7 +85,8 @@ double brink_disjoint_time_fast(const double r[3], const double v[3],
     return brink_disjoint_time_slow(r, v, sigma);
 }
 
-// --- Correctly rounded ---------------------------------------------------------------
+// --- Correctly rounded
+// ---------------------------------------------------------------
 
 /** a, b, c with |lo| <= u |hi|. */
 typedef struct fine_sums {
@@ -99,8 +103,8 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
                        two_sum(m.c.hi, m.c.lo), m.size};
 }
 
-/** d where it is larger than 2^-20 Q, otherwise 0; error <= 2^-79 of it: 5u^2 Q for
- *  either product, 32u^2 Q for what a, b, c are off. */
+/** d where it is larger than 2^-20 Q, otherwise 0; error <= 2^-79 of it: 5u^2 Q
+ * for either product, 32u^2 Q for what a, b, c are off. */
 BRINK_INLINE dd fine_discriminant(const fine_sums *m)
 {
     dd d = dd_add(dd_mul(m->b, m->b), dd_negate(dd_mul(m->a, m->c)));

@@ -2,9 +2,9 @@
 // Where the fast paths were not certain: the domain, scaling by powers of two,
 // double- double, and exact numbers for the rest.  The answers are correctly
 // rounded.
-#include "paths.h"
+#include "isa.h"
 
-#include "path.h"
+#include "event_time_flight.h"
 #include "root.h"
 
 static int in_domain(const double r[3], const double v[3], double sigma)

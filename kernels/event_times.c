@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 /**
- * Many pairs at once: what can be said of all of them in the same way is said in loops
- * that the compiler makes vectors of, the doubtful are gathered and looked at again,
- * and what then is left goes through the scalar kernel, one by one.  All of it is built
- * of the scalar kernels' parts, so the answers are theirs bit for bit.
+ * Many pairs at once: what can be said of all of them in the same way is said in
+ * loops that the compiler makes vectors of, the doubtful are gathered and looked
+ * at again, and what then is left goes through the scalar kernel, one by one. All
+ * of it is built of the scalar kernels' parts, so the answers are theirs bit for
+ * bit.
  */
-#include "paths.h"
+#include "isa.h"
 
 #include "event_time.h"
-#include "path.h"
+#include "event_time_flight.h"
 
 enum { BLOCK = 128, GROUP = 8 };
 
@@ -27,8 +28,8 @@ typedef double scalar(const double r[3], const double v[3], double sigma);
 /** A block's times, or -1 for those to be looked at again. */
 typedef void glance(int n, const many *p, double *t);
 
-/** Which times are -1; the number of them.  Groups without one are passed over at a
- *  look: t has BLOCK places, those from n on are written to. */
+/** Which times are -1; the number of them.  Groups without one are passed over at
+ * a look: t has BLOCK places, those from n on are written to. */
 static int find_open(int n, double *t, int *open)
 {
     int count = 0;
@@ -69,7 +70,8 @@ static void look_again(int count, const int *open, const many *p, double *t,
         t[open[k]] = again[k];
 }
 
-// --- What is seen at a glance --------------------------------------------------------
+// --- What is seen at a glance
+// --------------------------------------------------------
 
 static void never_meet(int n, const many *p, double *t)
 {
@@ -116,7 +118,8 @@ static void part(int n, const many *p, double *t)
         GET_PAIR(p, i);
         rate b = rate_of(r, v);
         sums m = sums_of(r, v, sigma);
-        int passing = is_negative(b) & passes_by(chord_of(r, v, sigma));
+        int passing = is_far_outside(r, sigma) & is_negative(b) &
+                      passes_by(chord_of(r, v, sigma));
         double time = parting_time(&m, dot_rounded(v, v), b, passing);
         t[i] = sigma_in_range(sigma) ? time : -1;
     }
@@ -135,9 +138,11 @@ static void part_fast(int n, const many *p, double *t)
     }
 }
 
-// --- The batches ---------------------------------------------------------------------
+// --- The batches
+// ---------------------------------------------------------------------
 
-/** One block after the other; the answers are written when a block has been read. */
+/** One block after the other; the answers are written when a block has been read.
+ */
 static void in_blocks(size_t n, const many *all, double *t, glance *first,
                       glance *second, scalar *kernel)
 {

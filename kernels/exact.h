@@ -131,10 +131,11 @@ BRINK_INLINE int is_moderate(double x)
 }
 
 /**
- * Whether x.hi is the double nearest to what x stands for, |x.lo| <= u |x.hi|, when that
- * is known to 2^-70 of itself.  Only where x.lo is within that of half an ulp can it be
- * another, and there 2^-15 more brings the sum past the midpoint; at a power of two,
- * below which the midpoint is a quarter of an ulp away, that still is 2^-70.
+ * Whether x.hi is the double nearest to what x stands for, |x.lo| <= u |x.hi|,
+ * when that is known to 2^-70 of itself.  Only where x.lo is within that of half
+ * an ulp can it be another, and there 2^-15 more brings the sum past the
+ * midpoint; at a power of two, below which the midpoint is a quarter of an ulp
+ * away, that still is 2^-70.
  */
 BRINK_INLINE int is_told(dd x)
 {

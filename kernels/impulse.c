@@ -3,7 +3,7 @@
 // the header are those of that last rounding.  With k1 = m2 / (m1 + m2), k2 = m1
 // / (m1 + m2):
 //     v1' = v1 + k1 (b' - b) / (r.r) r,    v2' = v2 - k2 (b' - b) / (r.r) r.
-#include "paths.h"
+#include "isa.h"
 
 #include "dyadic.h"
 #include "impulse.h"
@@ -129,9 +129,9 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
     dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
     dd rest = dd_add(ss, dd_negate(loss));
 
-    // Components of r and v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96.  b is off
-    // by 8u^2 P, s^2 by 2 P 8u^2 P + 4u^2 P^2 < 2^-88, and loss by 45u^2 < 2^-100 of
-    // itself.
+    // Components of r and v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96.
+    // b is off by 8u^2 P, s^2 by 2 P 8u^2 P + 4u^2 P^2 < 2^-88, and loss by 45u^2
+    // < 2^-100 of itself.
     int crosses = rest.hi > 0;
     if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
         crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;

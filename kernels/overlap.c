@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All of it is two expressions, the ball's and the plane's: a rate is a plane's distance
-// with the velocity for a normal.  Each is written down twice, in double-double with the
-// size of its terms and in dyadics.
+// All of it is two expressions, the ball's and the plane's: a rate is a plane's
+// distance with the velocity for a normal.  Each is written down twice, in
+// double-double with the size of its terms and in dyadics.
 #include "overlap.h"
 #include "dyadic.h"
 
@@ -13,8 +13,8 @@ typedef struct scene {
 
 static const double zero[3] = {0, 0, 0};
 
-/** A value in double-double, and the size of its terms summed.  Its error is less than
- *  2^-98 of that size. */
+/** A value in double-double, and the size of its terms summed.  Its error is
+ *  less than 2^-98 of that size. */
 typedef struct estimate {
     dd value;
     double size;
@@ -25,8 +25,8 @@ typedef struct expression {
     void (*exact)(brink_dyadic *, const scene *);
 } expression;
 
-/** r + v t - c to 3u^2 of itself; |r| + |v t| + |c| in *size, or infinity where v t is so
- *  small that its low part may be lost. */
+/** r + v t - c to 3u^2 of itself; |r| + |v t| + |c| in *size, or infinity
+ *  where v t is so small that its low part may be lost. */
 static dd place(const scene *s, int i, double *size)
 {
     dd step = two_prod(s->v[i], s->t), start = two_sum(s->r[i], -s->c[i]);
@@ -36,7 +36,7 @@ static dd place(const scene *s, int i, double *size)
     return dd_add(start, step);
 }
 
-// --- |r + v t|^2 - sigma^2 -----------------------------------------------------------
+// --- |r + v t|^2 - sigma^2 -------------------------------------------------
 
 static estimate ball_estimate(const scene *s)
 {
@@ -70,7 +70,7 @@ static void ball_exact(brink_dyadic *f, const scene *s)
 
 static const expression ball = {ball_estimate, ball_exact};
 
-// --- n.(r + v t - c) -----------------------------------------------------------------
+// --- n.(r + v t - c) -------------------------------------------------------
 
 static estimate plane_estimate(const scene *s)
 {
@@ -99,7 +99,7 @@ static void plane_exact(brink_dyadic *f, const scene *s)
 
 static const expression plane = {plane_estimate, plane_exact};
 
-// --- Value and sign ------------------------------------------------------------------
+// --- Value and sign --------------------------------------------------------
 
 /** Of a number that is not 0: its sign bit. */
 static int sign_of(double x)
@@ -110,8 +110,9 @@ static int sign_of(double x)
 static double value_of(const expression *f, const scene *s)
 {
     estimate e = f->estimate(s);
-    // An error of 2^-98 of the size is then 2^-55 of the value, a quarter of an ulp, and
-    // the rounding to one double another half.  Underflow costs less than 2^-900.
+    // An error of 2^-98 of the size is then 2^-55 of the value, a quarter of an
+    // ulp, and the rounding to one double another half.  Underflow costs less
+    // than 2^-900.
     if (e.size < 0x1p1000 && fabs(e.value.hi) > fma(0x1p-43, e.size, 0x1p-700))
         return e.value.hi;
     brink_dyadic exact;
@@ -137,8 +138,8 @@ double brink_ball_overlap(const double r[3], double sigma)
 
 int brink_ball_overlap_sign(const double r[3], double sigma)
 {
-    // r.r is off by 3u of itself, sigma^2 by 1u, each product by 2^-1075 at the least;
-    // the difference has the sign that they have.
+    // r.r is off by 3u of itself, sigma^2 by 1u, each product by 2^-1075 at the
+    // least; the difference has the sign that they have.
     double rr = r[0] * r[0] + r[1] * r[1] + r[2] * r[2], ss = sigma * sigma;
     double f = rr - ss, error = 0x1p-51 * (rr + ss) + 0x1p-1000;
     if (fabs(f) > error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // u = 2^-53; error bounds are relative and to first order.
-#include "paths.h"
+#include "isa.h"
 
 #include "quadratic.h"
 #include "root.h"
@@ -16,12 +16,13 @@ BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
  * s = h + sign(h) sqrt(d).  The size h^2 + |a c| is to be in range: then nothing
  * overflows, and what underflows is lost beside the rest.
  *
- * The error, with w = sqrt(d) / |s|: d's is halved by the root, which adds 1u, all times
- * w; the sum adds 1u; the quotient half an ulp.
- *   a c > 0: d = (h^2 - q.hi) - q.lo, off by 2u (Kahan), so its sign is right; w <= 1/2:
- *            at most 2u before the quotient
- *   a c < 0: d = (h^2 - q.lo) - q.hi, off by u (k^2 + 1) where k = |h| / sqrt(d) < 1, and
- *            w = 1 / (1 + k): at most u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u before it
+ * The error, with w = sqrt(d) / |s|: d's is halved by the root, which adds 1u,
+ * all times w; the sum adds 1u; the quotient half an ulp.
+ *   a c > 0: d = (h^2 - q.hi) - q.lo, off by 2u (Kahan), so its sign is right;
+ *            w <= 1/2: at most 2u before the quotient
+ *   a c < 0: d = (h^2 - q.lo) - q.hi, off by u (k^2 + 1) where
+ *            k = |h| / sqrt(d) < 1, and w = 1 / (1 + k): at most
+ *            u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u before it
  * and 2.5u are at most 2.5 ulp: 3 in all.
  */
 BRINK_INLINE int roots_in_range(double a, double b, double c, double *x0,
@@ -51,8 +52,9 @@ static double scaled(double x, int e)
     return x * power_of_two(e / 2) * power_of_two(e - e / 2);
 }
 
-/** a x^2 + b x + c = 0 as a y^2 + b y + c = 0 with x = y 2^unit, and a and c of order 1:
- *  exact, but for b where it is too small or too large to be in range. */
+/** a x^2 + b x + c = 0 as a y^2 + b y + c = 0 with x = y 2^unit, and a and c
+ *  of order 1: exact, but for b where it is too small or too large to be in
+ *  range. */
 typedef struct balanced {
     double a, b, c;
     int b_exponent, unit;
@@ -124,11 +126,11 @@ roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
 }
 
 /**
- * The same with the low parts carried along.  2, 0, or -1 where a root cannot be rounded
- * with certainty or the size is not in range.
+ * The same with the low parts carried along.  2, 0, or -1 where a root cannot be
+ * rounded with certainty or the size is not in range.
  *
- * d is off by 5u^2 of its size, which is at most 2^20 d; s, to which the root's error
- * comes at most once, by 2^-85; a root by 2^-84.
+ * d is off by 5u^2 of its size, which is at most 2^20 d; s, to which the root's
+ * error comes at most once, by 2^-85; a root by 2^-84.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "step.h"
+#include "exact.h" // refuses -ffast-math, which takes NaN and infinity away
 #include "overlap.h"
 #include <math.h>
 #include <stddef.h>

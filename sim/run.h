@@ -20,16 +20,14 @@ enum brink_tier { BRINK_TIER_FAST, BRINK_TIER_PLAIN, BRINK_TIER_CR };
 /** What a run has counted.  An event is one pair's; cells are counted apart. */
 typedef struct brink_tally {
     uint64_t core, capture, release, bounce, wall, cell;
-    uint64_t
-        stale; // predictions that found their partner changed, and were made anew
+    uint64_t stale; // predictions made anew, the partner having changed
     // Anomalies: nothing is silent.
-    uint64_t
-        clamped; // due when predicted: the pair was already beyond the surface
+    uint64_t clamped;   // due when predicted, the pair already beyond the surface
     uint64_t zero_time; // at the same instant as the event before
     uint64_t repeated;  // of these, those of the same pair as the event before
-    uint64_t rim; // bounces turned inward by the rim rule of <brink/impulse.h>
-    uint64_t refused;         // refused by the state machine: stops the run
-    brink_sum virial;         // of r.dp
+    uint64_t rim;       // bounces turned inward, see <brink/impulse.h>
+    uint64_t refused;   // refused by the state machine: stops the run
+    brink_sum virial;   // of r.dp
     double contact_error_max; // max | |r| - distance | / distance at an event
 } brink_tally;
 

@@ -3,7 +3,8 @@
 #define BRINK_SCENE_SPECIES_H
 /**
  * The species of a scene and the potentials between them: the keys `species` and
- * `potentials`, completed by hard cores from diameters and by mixing (scene_mix.h).
+ * `potentials`, completed by hard cores from diameters and by mixing
+ * (scene_mix.h).
  */
 #include "scene.h"
 #include "scene_tree.h"

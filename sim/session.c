@@ -22,8 +22,8 @@ typedef struct session {
     char dir[4096];
     FILE *trajectory; // NULL: the scene asks for none
     double max_wall;  // for this piece of the run
-    sigset_t
-        stops; // the signals that stop it, blocked and asked for between pieces
+    // the signals that stop it, blocked and asked for between pieces
+    sigset_t stops;
 } session;
 
 static double wall_clock(void)

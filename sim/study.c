@@ -22,8 +22,8 @@ typedef struct study {
     const char *out;
     int count; // of scenes
     brink_case *cases;
-    brink_system
-        *starts;   // one a case; every worker has a copy of its own of each
+    // one a case; every worker has a copy of its own of each
+    brink_system *starts;
     FILE *results; // a result a job, in the order of jobs
 } study;
 

@@ -28,8 +28,8 @@ typedef struct brink_doubts {
      * is no other state to be mistaken for, so none of the above counts it. */
     uint64_t overlaps;
 
-    uint32_t
-        *partner; // per particle: whom it met last and was not looked at since
+    // per particle: whom it met last and was not looked at since
+    uint32_t *partner;
 } brink_doubts;
 
 /** 0, -1 no memory. */

@@ -20,23 +20,22 @@
 #include <brink/step.h>
 #include <stddef.h>
 
-/** Particles and the two slots each has in the calendar are numbered in 31 bits. */
+/** So many that each one's two slots in the calendar have numbers of 31 bits. */
 #define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
 
 typedef struct brink_particle {
     uint64_t x[3]; // position: fraction of the box's length, in units of 2^-64
     double v[3];   // velocity
     double since;  // offset in the current year at which x holds
-    uint32_t
-        generation; // changes of v so far: a prediction that knew fewer is stale
+    uint32_t generation; // changes of v: what was predicted from fewer is stale
     uint32_t species;
 } brink_particle; // 64 bytes, a cache line
 
 typedef struct brink_species {
     char name[16];
     double mass; // > 0
-    double
-        diameter;   // distance of the innermost step with its like: what is drawn
+    // distance of the innermost step with its like: what is drawn
+    double diameter;
     uint32_t count; // particles of it: they are numbered species by species
 } brink_species;
 

@@ -2,12 +2,13 @@
 /**
  * Speed against error.
  *
- *   bench [OPTION VALUE]...   writes a page; --out FOLDER, --cases N of each family,
+ *   bench [OPTION VALUE]...   writes a page; --out FOLDER, --cases N of each
+ * family,
  *                             --seconds S for the costs of a problem, --seed N,
  *                             --instructions FILE that instructions.sh wrote
- *   bench speed [PART]        what was asked of the kernels' speed, and what is measured,
- *                             of kernels whose name holds PART
- *   bench count               calls everything, for instructions.sh to count
+ *   bench speed [PART]        what was asked of the kernels' speed, and what is
+ * measured, of kernels whose name holds PART bench count               calls
+ * everything, for instructions.sh to count
  */
 #include "bench_count.h"
 #include "bench_page.h"
@@ -39,8 +40,8 @@ static int print_speeds(const char *part)
         const int here = bench_speed_measure(k, 1, 0.4, &s);
         const double ratio = s.ns / s.baseline_ns;
         if (here > 0)
-            printf("%-32s %-12s %9.2f %9.2f %7.2f %6.2f%s\n", s.kernel, s.family, s.ns,
-                   s.baseline_ns, ratio, s.at_most,
+            printf("%-32s %-12s %9.2f %9.2f %7.2f %6.2f%s\n", s.kernel, s.family,
+                   s.ns, s.baseline_ns, ratio, s.at_most,
                    s.at_most > 0 && ratio > s.at_most ? "  over" : "");
         else
             printf("%-32s %-12s not here\n", s.kernel, s.family);

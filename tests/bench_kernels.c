@@ -20,7 +20,8 @@
 
 enum { INPUTS = 8192 };
 
-/** Seconds a line may take: enough for some moments in which nobody else disturbs. */
+/** Seconds a line may take: enough for some moments in which nobody else
+ *  disturbs. */
 static const double PATIENCE = 0.4;
 
 static pair_case pairs[INPUTS];

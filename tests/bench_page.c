@@ -20,7 +20,7 @@ enum {
     HERO = 1  // the one that the page begins with
 };
 
-// --- Tables --------------------------------------------------------------------------
+// --- Tables --------------------------------------------------------------------
 
 typedef struct columns {
     int count;
@@ -71,13 +71,14 @@ static void write_summary(brink_report *r, const contest *c, const char *file)
     char caption[400];
     bench_count_read(file, p, instructions);
     snprintf(caption, sizeof caption,
-             "%s cases. Cost, a multiple of the first line's, and instructions a call, on "
-             "%s input; errors in %s%s%s.",
+             "%s cases. Cost, a multiple of the first line's, and instructions a "
+             "call, on %s input; errors in %s%s%s.",
              brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual,
-             p->measure[0], p->measure[1] != NULL ? "; of the second worst in " : "",
+             p->measure[0],
+             p->measure[1] != NULL ? "; of the second worst in " : "",
              p->measure[1] != NULL ? p->measure[1] : "");
-    for (const char *const *h = (const char *const[]){"", "cost", "instructions", "median",
-                                                      "worst", NULL};
+    for (const char *const *h = (const char *const[]){"", "cost", "instructions",
+                                                      "median", "worst", NULL};
          *h != NULL; h++)
         add_column(&head, *h);
     if (p->measure[1] != NULL)
@@ -94,7 +95,8 @@ static void write_summary(brink_report *r, const contest *c, const char *file)
             brink_report_cell(r, " ");
         else
             brink_report_cell(
-                r, "%s", brink_words_grouped((uint64_t)(instructions[k] + 0.5)).text);
+                r, "%s",
+                brink_words_grouped((uint64_t)(instructions[k] + 0.5)).text);
         put_errors(r, s, 0);
         if (p->measure[1] != NULL)
             put_errors(r, s, 1);
@@ -118,8 +120,8 @@ static void write_families(brink_report *r, const contest *c)
     columns head = {0};
     char caption[300];
     snprintf(caption, sizeof caption,
-             "Wrong answers, of %s in each family of inputs. Who has no column was "
-             "never wrong.",
+             "Wrong answers, of %s in each family of inputs. Who has no column "
+             "was never wrong.",
              brink_words_grouped((uint64_t)c->of[0].family[0].n).text);
     add_column(&head, "family");
     for (int k = 0; k < p->methods; k++)
@@ -141,7 +143,8 @@ static void write_ways(brink_report *r, const problem *p)
     add_column(&head, "");
     add_column(&head, "what it does");
     head.align[1] = 'l';
-    brink_report_table(r, "The ways to an answer.", head.count, head.align, head.head);
+    brink_report_table(r, "The ways to an answer.", head.count, head.align,
+                       head.head);
     for (int k = 0; k < p->methods; k++) {
         brink_report_cell(r, "%s", p->method[k].label);
         brink_report_cell(r, "%s", p->method[k].about);
@@ -149,7 +152,7 @@ static void write_ways(brink_report *r, const problem *p)
     brink_report_table_end(r);
 }
 
-// --- Sections ------------------------------------------------------------------------
+// --- Sections ------------------------------------------------------------------
 
 static void write_text(brink_report *r, char *text)
 {
@@ -158,8 +161,8 @@ static void write_text(brink_report *r, char *text)
     free(text);
 }
 
-static void draw(brink_report *r, char *script, const problem *p, const char *what,
-                 const char *caption)
+static void draw(brink_report *r, char *script, const problem *p,
+                 const char *what, const char *caption)
 {
     char name[100];
     snprintf(name, sizeof name, "kernels-%s%s", p->name, what);
@@ -172,9 +175,9 @@ static void draw_scatter(brink_report *r, const contest *c)
 {
     char caption[400];
     snprintf(caption, sizeof caption,
-             "%s: cost against error. Each line is one way to the answer, from its median "
-             "error to its worst. A cross: it was wrong about whether, not only about how "
-             "much.",
+             "%s: cost against error. Each line is one way to the answer, from "
+             "its median error to its worst. A cross: it was wrong about "
+             "whether, not only about how much.",
              c->problem->title);
     draw(r, bench_scatter(c, 0), c->problem, "", caption);
 }
@@ -189,12 +192,14 @@ static void write_contest(brink_report *r, const contest *c, const char *counts)
     if (c->problem != problems[HERO])
         draw_scatter(r, c);
     draw(r, bench_distribution(c, 0), p, "-errors",
-         "How many answers are how far off. A curve that falls to the ground has a worst "
-         "answer; one that runs into the column at the right has wrong ones.");
+         "How many answers are how far off. A curve that falls to the ground has "
+         "a worst answer; one that runs into the column at the right has wrong "
+         "ones.");
     if (p->measure[1] != NULL)
         draw(r, bench_scatter(c, 1), p, "-gap",
-             "The same, measured by what it means: how far from where it should be the "
-             "pair is at the time that was answered, in roundings of its path.");
+             "The same, measured by what it means: how far from where it should "
+             "be the pair is at the time that was answered, in roundings of its "
+             "path.");
     write_summary(r, c, counts);
     write_families(r, c);
     write_ways(r, p);
@@ -212,40 +217,45 @@ static void write_beginning(brink_report *r, const contest *c)
 {
     brink_report_heading(r, 1, "Speed against error");
     brink_report_paragraph(
-        r, "Do these two balls meet, and when? Is the pair inside the well or outside? A "
-           "simulation asks such questions millions of times a second, and one wrong "
-           "answer can end it. This page sets what an answer costs against how good it "
-           "is: for brink's kernels, for the formulas as one finds them in print, for "
-           "other libraries, and for arithmetic with more digits.");
+        r, "Do these two balls meet, and when? Is the pair inside the well or "
+           "outside? A simulation asks such questions millions of times a "
+           "second, and one wrong answer can end it. This page sets what an "
+           "answer costs against how good it is: for brink's kernels, for the "
+           "formulas as one finds them in print, for other libraries, and for "
+           "arithmetic with more digits.");
     for (int k = 0; k < MAIN; k++)
         write_text(r, bench_headline(&c[k]));
     draw_scatter(r, &c[HERO]);
     brink_report_heading(r, 2, "How to read this");
     brink_report_paragraph(
-        r, "A computer's number, a double, holds some 16 decimal digits. The distance from "
-           "one double to the next is an ulp, a unit in the last place. As the truth lies "
-           "between two of them, no answer can be expected to be nearer than half an ulp. "
-           "An error of 1000 ulp has cost 3 of the 16 digits, one of 10¹⁶ all of them.");
+        r, "A computer's number, a double, holds some 16 decimal digits. The "
+           "distance from one double to the next is an ulp, a unit in the last "
+           "place. As the truth lies between two of them, no answer can be "
+           "expected to be nearer than half an ulp. An error of 1000 ulp has "
+           "cost 3 of the 16 digits, one of 10¹⁶ all of them.");
     brink_report_paragraph(
-        r, "Worse than lost digits is a wrong answer: a collision that is missed, or one "
-           "that is invented; now for later; a root that is not there. No number of "
-           "digits measures that, so whoever gave one wrong answer stands in a column of "
-           "his own, however good the others were; the percentage beside his name says "
-           "how often it happened.");
+        r, "Worse than lost digits is a wrong answer: a collision that is "
+           "missed, or one that is invented; now for later; a root that is not "
+           "there. No number of digits measures that, so whoever gave one wrong "
+           "answer stands in a column of his own, however good the others were; "
+           "the percentage beside his name says how often it happened.");
     brink_report_paragraph(
-        r, "In the figures each way to an answer is a line. Its height is what a call "
-           "costs, as a multiple of what the plainest formula costs on ordinary input. "
-           "It begins with a small dot at the median error and ends with a large one at "
-           "the worst. Both axes are logarithmic. Down and to the left is better.");
+        r, "In the figures each way to an answer is a line. Its height is what a "
+           "call costs, as a multiple of what the plainest formula costs on "
+           "ordinary input. It begins with a small dot at the median error and "
+           "ends with a large one at the worst. Both axes are logarithmic. Down "
+           "and to the left is better.");
     brink_report_paragraph(
-        r, "The inputs are random, of families: some ordinary, most made to break "
-           "something, each with the same weight. So the percentages do not say how often "
-           "a simulation goes wrong; the tables say which family did it. Everything is "
-           "judged by MPFR with so many digits that sums and products are exact.");
+        r, "The inputs are random, of families: some ordinary, most made to "
+           "break something, each with the same weight. So the percentages do "
+           "not say how often a simulation goes wrong; the tables say which "
+           "family did it. Everything is judged by MPFR with so many digits that "
+           "sums and products are exact.");
     brink_report_paragraph(
-        r, "Missed: there is a root, or a meeting, and the answer was none. Invented: the "
-           "reverse. Now/later: the time is 0 and the answer was not, or the reverse. "
-           "Spurious: 0, infinity or NaN for a number that is none of these.");
+        r, "Missed: there is a root, or a meeting, and the answer was none. "
+           "Invented: the reverse. Now/later: the time is 0 and the answer was "
+           "not, or the reverse. Spurious: 0, infinity or NaN for a number that "
+           "is none of these.");
 }
 
 static void write_speed(brink_report *r, const bench_settings *s)
@@ -253,19 +263,20 @@ static void write_speed(brink_report *r, const bench_settings *s)
     columns head = {0};
     brink_report_heading(r, 2, "What was asked, and what is measured");
     brink_report_paragraph(
-        r, "Each line a kernel on a family of inputs, beside its baseline in the same "
-           "process, taking turns over %d inputs, more than a processor's branch "
-           "prediction can learn by heart. A batch answers many pairs at a time and is "
-           "set beside the scalar loop of its baseline.",
+        r,
+        "Each line a kernel on a family of inputs, beside its baseline in the "
+        "same process, taking turns over %d inputs, more than a processor's "
+        "branch prediction can learn by heart. A batch answers many pairs at a "
+        "time and is set beside the scalar loop of its baseline.",
         COST_INPUTS);
     for (const char *const *h =
-             (const char *const[]){"kernel", "inputs", "beside", "ns", "its ns", "ratio",
-                                   "asked: at most", "", NULL};
+             (const char *const[]){"kernel", "inputs", "beside", "ns", "its ns",
+                                   "ratio", "asked: at most", "", NULL};
          *h != NULL; h++)
         add_column(&head, *h);
     head.align[1] = head.align[2] = head.align[7] = 'l';
-    brink_report_table(r, "Nanoseconds a call, and the ratio.", head.count, head.align,
-                       head.head);
+    brink_report_table(r, "Nanoseconds a call, and the ratio.", head.count,
+                       head.align, head.head);
     for (int k = 0; k < bench_speed_lines(); k++) {
         speed of;
         const int here = bench_speed_measure(k, s->seed, s->seconds / 4, &of);
@@ -278,8 +289,8 @@ static void write_speed(brink_report *r, const bench_settings *s)
         brink_report_cell(r, here > 0 ? "%.2f" : "–", ratio);
         brink_report_cell(r, of.at_most > 0 ? "%g" : " ", of.at_most);
         brink_report_cell(r, "%s",
-                          here <= 0          ? "not here"
-                          : of.at_most == 0  ? ""
+                          here <= 0            ? "not here"
+                          : of.at_most == 0    ? ""
                           : ratio > of.at_most ? "over"
                                                : "kept");
     }
@@ -313,11 +324,13 @@ static void write_end(brink_report *r, const bench_settings *s)
     brink_report_verbatim(r, "%s\n\nbrink %s, compiled by %s\n%s, %s", s->command,
                           BRINK_VERSION, BRINK_COMPILER, processor, u.machine);
     brink_report_paragraph(
-        r, "%d cases of each family, a fifth of that for the further kernels, from seed "
-           "%" PRIu64 ". Times are the shortest of many turns that the ways take in one "
-           "process; instructions are callgrind's, the loop around the call included, "
-           "on the path that it can run: AVX2, not AVX-512. `ulp KERNEL FAMILY` "
-           "measures one kernel on one family, and prints the worst inputs.",
+        r,
+        "%d cases of each family, a fifth of that for the further kernels, from "
+        "seed %" PRIu64
+        ". Times are the shortest of many turns that the ways take in one "
+        "process; instructions are callgrind's, the loop around the call "
+        "included, on the path that it can run: AVX2, not AVX-512. `ulp KERNEL "
+        "FAMILY` measures one kernel on one family, and prints the worst inputs.",
         s->cases, s->seed);
 }
 

@@ -4,13 +4,15 @@
 #include <brink/event_time.h>
 #include <stddef.h>
 
-// --- Batches -------------------------------------------------------------------------
+// --- Batches
+// -------------------------------------------------------------------------
 
 typedef void batch(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
 
-/** A batch on each path; weak, as a build may have one path only, without a name. */
+/** A batch on each path; weak, as a build may have one path only, without a name.
+ */
 #define BATCH(name)                                                              \
     batch name##_any __attribute__((weak)), name##_fma __attribute__((weak)),    \
         name##_avx512 __attribute__((weak));                                     \
@@ -36,21 +38,24 @@ enum path { HERE, ANY, FMA, AVX512 };
 static int machine_has(enum path path)
 {
 #if defined __x86_64__ && defined __GNUC__
-    const int fma = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const int fma =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     return path < FMA || (path == FMA && fma) ||
            (path == AVX512 && fma && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"));
+            __builtin_cpu_supports("avx512dq") &&
+            __builtin_cpu_supports("avx512vl"));
 #else
     return path == HERE;
 #endif
 }
 
-// --- The table -----------------------------------------------------------------------
+// --- The table
+// -----------------------------------------------------------------------
 
 typedef struct line {
     const char *kernel, *family, *baseline; // methods by name
     double at_most;
-    loop *batch; // in place of a method of that name
+    loop *batch;  // in place of a method of that name
     batch *there; // not NULL where the build has it
     enum path path;
 } line;
@@ -61,7 +66,8 @@ typedef struct line {
     }
 #define CALLS(name, label, family, baseline, at_most, path)                      \
     {                                                                            \
-        label, family, baseline, at_most, brink_##name##_loop, brink_##name, path\
+        label, family, baseline, at_most, brink_##name##_loop, brink_##name,     \
+            path                                                                 \
     }
 
 #define IN  "intersection/printed"
@@ -70,7 +76,8 @@ typedef struct line {
 #define BATCHES(name, family, baseline, at_most)                                 \
     CALLS(name##_any, #name ", SSE2", family, baseline, 0, ANY),                 \
         CALLS(name##_fma, #name ", AVX2", family, baseline, at_most, FMA),       \
-        CALLS(name##_avx512, #name ", AVX-512", family, baseline, at_most, AVX512)
+        CALLS(name##_avx512, #name ", AVX-512", family, baseline, at_most,       \
+              AVX512)
 
 static const line lines[] = {
     CALL("quadratic_roots", "benign", "quadratic/textbook", 1.1),

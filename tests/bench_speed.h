@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef TESTS_BENCH_SPEED_H
 #define TESTS_BENCH_SPEED_H
-/** What was asked of the kernels' speed, each as a ratio to a named baseline, and what is
- * measured. */
+/** What was asked of the kernels' speed, each as a ratio to a named baseline, and
+ * what is measured. */
 #include <stdint.h>
 
 typedef struct speed {
@@ -14,7 +14,7 @@ typedef struct speed {
 int bench_speed_lines(void);
 const char *bench_speed_kernel(int line);
 
-/** Measures a line for so many seconds.  1, or 0 where this machine has not got the
- * instructions, or -1 if memory is out. */
+/** Measures a line for so many seconds.  1, or 0 where this machine has not got
+ * the instructions, or -1 if memory is out. */
 int bench_speed_measure(int line, uint64_t seed, double seconds, speed *);
 #endif

@@ -11,7 +11,10 @@ brink_words bench_error(double ulps)
         return brink_words_scientific(ulps);
     else
         snprintf(w.text, sizeof w.text, "%.*f",
-                 ulps == 0 || ulps >= 10 ? 0 : ulps >= 0.1 ? 2 : 4, ulps);
+                 ulps == 0 || ulps >= 10 ? 0
+                 : ulps >= 0.1           ? 2
+                                         : 4,
+                 ulps);
     return w;
 }
 
@@ -41,7 +44,11 @@ brink_words bench_ratio(double ratio)
     brink_words w;
     if (ratio >= 100)
         return brink_words_grouped((uint64_t)(ratio + 0.5));
-    snprintf(w.text, sizeof w.text, "%.*f", ratio < 3 ? 2 : ratio < 10 ? 1 : 0, ratio);
+    snprintf(w.text, sizeof w.text, "%.*f",
+             ratio < 3    ? 2
+             : ratio < 10 ? 1
+                          : 0,
+             ratio);
     return w;
 }
 
@@ -59,7 +66,8 @@ static void tell_ours(FILE *out, const contest *c)
     const standing *plain = of_rank(c, RANK_PLAIN), *cr = of_rank(c, RANK_CR),
                    *fast = of_rank(c, RANK_FAST);
     fprintf(out, "Of %s answers of %s ",
-            brink_words_grouped((uint64_t)plain->all.n).text, plain->method->about);
+            brink_words_grouped((uint64_t)plain->all.n).text,
+            plain->method->about);
     if (measure_wrong(&plain->all) == 0)
         fprintf(out, "none was wrong, and the worst was off by %s %s",
                 bench_error(standing_max(plain, 0)).text, c->problem->measure[0]);
@@ -68,12 +76,13 @@ static void tell_ours(FILE *out, const contest *c)
     fprintf(out, "; a call costs %s times what “%s” costs.",
             bench_ratio(plain->ratio).text, c->of[0].method->label);
     if (cr != NULL && measure_wrong(&cr->all) == 0 && standing_max(cr, 0) <= 0.5)
-        fprintf(out, " For %s times, every answer is the double nearest to the truth.",
+        fprintf(out,
+                " For %s times, every answer is the double nearest to the truth.",
                 bench_ratio(cr->ratio).text);
     if (fast != NULL)
         fprintf(out,
-                " The fast tier, %s times, may judge a grazing pair otherwise; at its "
-                "worst the pair was %s eps of its path from the surface.",
+                " The fast tier, %s times, may judge a grazing pair otherwise; "
+                "at its worst the pair was %s eps of its path from the surface.",
                 bench_ratio(fast->ratio).text,
                 bench_error(standing_max(fast, 1)).text);
 }
@@ -100,8 +109,8 @@ static void tell_rivals(FILE *out, const contest *c)
         fprintf(out, " None of the %d rivals was always right.", rivals);
     else if (right < rivals)
         fprintf(out,
-                " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s and was off "
-                "by up to %s %s.",
+                " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s and "
+                "was off by up to %s %s.",
                 rivals, right, right == 1 ? "was" : "were", best->method->label,
                 bench_ratio(best->ratio).text,
                 bench_error(standing_max(best, 0)).text, c->problem->measure[0]);
@@ -128,8 +137,8 @@ char *bench_headline(const contest *c)
     if (out == NULL)
         return NULL;
     fprintf(out,
-            "%s. Wrong of %s answers: %s of brink’s, %s of those of “%s”, at %s times the "
-            "latter’s cost.",
+            "%s. Wrong of %s answers: %s of brink’s, %s of those of “%s”, at %s "
+            "times the latter’s cost.",
             c->problem->title, brink_words_grouped((uint64_t)plain->all.n).text,
             bench_wrong(plain).text, bench_wrong(&c->of[0]).text,
             c->of[0].method->label, bench_ratio(plain->ratio).text);

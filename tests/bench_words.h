@@ -8,7 +8,8 @@
 /** An error: 0.42, 2.8, 39, 1.6 × 10⁸; ∞ where something is wrong. */
 brink_words bench_error(double ulps);
 
-/** How many of all its answers were wrong: "17 %", "0.02 %", "3 of 120 000", "none". */
+/** How many of all its answers were wrong: "17 %", "0.02 %", "3 of 120 000",
+ * "none". */
 brink_words bench_wrong(const standing *);
 
 /** A part of a whole: 17 %, 0.0083 %. */

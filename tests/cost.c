@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-/** Seconds that a turn should not exceed: short beside a scheduler's, so that some go
- * by undisturbed. */
+/** Seconds that a turn should not exceed: short beside a scheduler's, so that
+ * some go by undisturbed. */
 static const double TURN = 5e-4;
 
 /** The parts of the inputs, and the fewest of one that are still a sample. */
@@ -61,7 +61,8 @@ int cost_compare(int count, loop *const loops[], const inputs *in, answers *out,
     double spent = 0;
     for (int turn = 0; turn < PARTS * count || spent < seconds; turn++)
         for (int i = 0; i < count; i++) {
-            // Each is the first in its turn, the one that finds the inputs out of cache.
+            // Each is the first in its turn, the one that finds the inputs out of
+            // cache.
             const int part = turn % PARTS, k = (i + turn / PARTS) % count;
             const inputs few = part_of(in, part, runners[k].n);
             const double took = seconds_of(loops[k], &few, out);

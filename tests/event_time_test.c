@@ -160,9 +160,9 @@ START_TEST(a_plane_is_met_when_it_is)
         if (t != mpfr_get_d(exact, ORACLE_N) || signbit(t))
             ck_abort_msg("%s %d: r %a %a %a  v %a %a %a\nn %a %a %a  c %a %a %a\n"
                          "got %a, exact %a",
-                         family->name, i, p.r[0], p.r[1], p.r[2], p.v[0], p.v[1], p.v[2],
-                         q.v[0], q.v[1], q.v[2], q.r[0], q.r[1], q.r[2], t,
-                         mpfr_get_d(exact, ORACLE_N));
+                         family->name, i, p.r[0], p.r[1], p.r[2], p.v[0], p.v[1],
+                         p.v[2], q.v[0], q.v[1], q.v[2], q.r[0], q.r[1], q.r[2],
+                         t, mpfr_get_d(exact, ORACLE_N));
     }
     mpfr_clear(exact);
 }

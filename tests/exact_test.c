@@ -28,7 +28,8 @@ static double relative_error(dd got, const mpfr_t exact)
     return error;
 }
 
-/** A double-double of magnitude near 1; one in four with its low part at the limit. */
+/** A double-double of magnitude near 1; one in four with its low part at the
+ *  limit. */
 static dd random_dd(stream *s)
 {
     double hi = stream_scaled(s, -3, 3);
@@ -119,7 +120,8 @@ END_TEST
 
 START_TEST(what_is_told_is_the_nearest_double)
 {
-    // Values within 2^-70 of x.hi + x.lo: both ends must round to x.hi if it is told.
+    // Values within 2^-70 of x.hi + x.lo: both ends must round to x.hi if it is
+    // told.
     stream s = {SEED};
     mpfr_t z, slack;
     mpfr_inits2(ORACLE_BITS, z, slack, (mpfr_ptr)0);
@@ -170,7 +172,8 @@ END_TEST
 
 START_TEST(nothing_is_contracted)
 {
-    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; with a fused operation 2^-54 is left.
+    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; with a fused operation 2^-54
+    // is left.
     volatile double a = 1 + 0x1p-27, c = -(1 + 0x1p-26);
     double left = a * a + c;
     ck_assert_double_eq(left, 0);

@@ -4,8 +4,8 @@
  *     REAL        the type everything between input and output is computed in
  *     SQRT(x)     its square root
  *     NAME(f)     a name for f in it
- * Inputs are doubles, and answers are rounded to double at the end.  The formulas are
- * the stable ones: what is compared is arithmetic, not carelessness.
+ * Inputs are doubles, and answers are rounded to double at the end.  The formulas
+ * are the stable ones: what is compared is arithmetic, not carelessness.
  */
 
 // Not inlined, as the kernels are not: a call costs all of them the same.
@@ -22,7 +22,8 @@ INLINED REAL NAME(positive)(REAL x)
     return x > 0 ? x : 0;
 }
 
-// --- Quadratics ----------------------------------------------------------------------
+// --- Quadratics
+// ----------------------------------------------------------------------
 
 /** The roots for d = b^2 - 4 a c. */
 INLINED int NAME(roots_for)(double a, double b, double c, REAL d, double *x0,
@@ -48,7 +49,8 @@ FORMULA int NAME(roots)(double a, double b, double c, double *x0, double *x1)
     return NAME(roots_for)(a, b, c, (REAL)b * b - 4 * (REAL)a * c, x0, x1);
 }
 
-// --- Event times ---------------------------------------------------------------------
+// --- Event times
+// ---------------------------------------------------------------------
 
 /** [S16] algorithm 1 from its a, b, c and arg. */
 INLINED double NAME(intersection_for)(REAL b, REAL c, REAL arg)
@@ -70,7 +72,8 @@ INLINED double NAME(disjoint_for)(REAL a, REAL b, REAL c, REAL arg)
     return (double)NAME(positive)((SQRT(arg) - b) / a);
 }
 
-FORMULA double NAME(intersection)(const double r[3], const double v[3], double sigma)
+FORMULA double NAME(intersection)(const double r[3], const double v[3],
+                                  double sigma)
 {
     const REAL a = NAME(dot)(v, v), b = NAME(dot)(r, v),
                c = NAME(dot)(r, r) - (REAL)sigma * sigma;
@@ -95,7 +98,8 @@ FORMULA double NAME(halfspace_time)(const double r[3], const double v[3],
     return rate < 0 ? (double)NAME(positive)(f / -rate) : (double)INFINITY;
 }
 
-// --- Overlaps ------------------------------------------------------------------------
+// --- Overlaps
+// ------------------------------------------------------------------------
 
 FORMULA double NAME(ball)(const double r[3], double sigma)
 {
@@ -149,7 +153,8 @@ FORMULA double NAME(halfspace_at)(const double r[3], const double v[3],
     return (double)f;
 }
 
-// --- Impulses ------------------------------------------------------------------------
+// --- Impulses
+// ------------------------------------------------------------------------
 
 /** b = r.(v1 - v2) changed along the line of centres; the virial. */
 INLINED REAL NAME(kick)(const double r[3], double m1, double m2, REAL change,
@@ -179,11 +184,12 @@ FORMULA double NAME(core)(const double r[3], double m1, double m2, double v1[3],
     return (double)NAME(kick)(r, m1, m2, b < 0 ? -2 * b : 0, v1, v2);
 }
 
-FORMULA int NAME(step)(const double r[3], double m1, double m2, double rise, int way,
-                       double v1[3], double v2[3], double *virial)
+FORMULA int NAME(step)(const double r[3], double m1, double m2, double rise,
+                       int way, double v1[3], double v2[3], double *virial)
 {
     const REAL b = NAME(rate_between)(r, v1, v2), s = way * b;
-    const REAL loss = 2 * (REAL)rise * NAME(dot)(r, r) * ((REAL)m1 + m2) / m1 / m2;
+    const REAL loss =
+        2 * (REAL)rise * NAME(dot)(r, r) * ((REAL)m1 + m2) / m1 / m2;
     const REAL rest = s * s - loss;
     REAL change = s > 0 ? -2 * s : 0;
     if (rest > 0)

@@ -44,8 +44,8 @@ static double add_energy(mpfr_t z, int factor, double m, const double v[3])
     return energy;
 }
 
-/** The pair's energy, changed by `rise`, right to 4 ulp of the larger kinetic energy, and
- *  its momentum to 2 ulp of the larger |m v|. */
+/** The pair's energy, changed by `rise`, right to 4 ulp of the larger kinetic
+ *  energy, and its momentum to 2 ulp of the larger |m v|. */
 static void keep_what_is_conserved(int i, const impact *p, double rise,
                                    const double v1[3], const double v2[3])
 {
@@ -98,7 +98,8 @@ static int oracle_impulse(mpfr_t change, mpfr_t rr, const impact *p)
     mpfr_div(after, after, mass, ORACLE_N);
     mpfr_sqr(change, b, ORACLE_N);
     mpfr_sub(after, change, after, ORACLE_N);
-    // That quotient is rounded, to 9000 bits: a tie is seen as one where it is one.
+    // That quotient is rounded, to 9000 bits: a tie is seen as one where it is
+    // one.
     int crosses = mpfr_sgn(after) > 0;
     if (crosses)
         mpfr_sqrt(after, after, ORACLE_N);
@@ -315,7 +316,8 @@ START_TEST(cores_reflect_elastically)
 }
 END_TEST
 
-/** Sine of the angle that the relative velocity makes with the tangent, outward > 0. */
+/** Sine of the angle that the relative velocity makes with the tangent,
+ *  outward > 0. */
 static double angle(const impact *p, const double v1[3], const double v2[3])
 {
     double b = 0, v[3];

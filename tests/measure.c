@@ -59,9 +59,8 @@ static void judge_all(const problem *p, const method *m, const inputs *in,
         double y[PROBLEM_OUTPUTS];
         for (int k = 0; k < p->outputs; k++)
             y[k] = out->x[k][i];
-        const verdict v =
-            judge(in->rows + (size_t)i * (size_t)in->width, &truths[i], out->n[i],
-                  y);
+        const verdict v = judge(in->rows + (size_t)i * (size_t)in->width,
+                                &truths[i], out->n[i], y);
         s->wrong[v.wrong]++;
         for (int k = 0; k < MEASURES; k++)
             if (v.error[k] >= 0)

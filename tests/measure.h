@@ -9,14 +9,14 @@ enum { MEASURE_WORST = 5 };
 /** What one method made of the cases of a family. */
 typedef struct sample {
     int n;
-    int count[MEASURES];     // of those where there was something to measure
-    double *error[MEASURES]; // theirs, ascending; infinite where wrong
-    int wrong[WRONG_KINDS];  // wrong[WRONG_NOT]: the good ones
+    int count[MEASURES];      // of those where there was something to measure
+    double *error[MEASURES];  // theirs, ascending; infinite where wrong
+    int wrong[WRONG_KINDS];   // wrong[WRONG_NOT]: the good ones
     int worst[MEASURE_WORST]; // cases, by what is promised; -1: no more
 } sample;
 
-/** Methods first to first + methods - 1 over n cases of a family; a sample each.  0, or
- * -1 if memory is out. */
+/** Methods first to first + methods - 1 over n cases of a family; a sample each.
+ * 0, or -1 if memory is out. */
 int measure(const problem *, int first, int methods, int family, int n,
             uint64_t seed, sample *);
 void measure_free(sample *);
@@ -24,7 +24,8 @@ void measure_free(sample *);
 /** Many samples as one, but for the worst cases.  0, or -1 if memory is out. */
 int measure_pool(sample *all, int count, const sample *);
 
-/** The error that a part q of those measured does not exceed; 0 if there are none. */
+/** The error that a part q of those measured does not exceed; 0 if there are
+ * none. */
 double measure_quantile(const sample *, int measure, double q);
 
 /** All wrong answers. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "measure.h"
 #include "cost.h"
+#include "measure.h"
 #include "oracle.h"
 #include "problems_all.h"
 #include "suite.h"
@@ -19,23 +19,26 @@ static real real_of(double x)
     return r;
 }
 
-// The oracle rounds its result up to a double, once; here it is rounded in long double
-// and once more: 2^-52 of itself.
+// The oracle rounds its result up to a double, once; here it is rounded in long
+// double and once more: 2^-52 of itself.
 START_TEST(errors_are_those_of_the_oracle)
 {
     stream s = {1};
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
     for (int i = 0; i < 20000; i++) {
-        const double x = stream_scaled(&s, -1080, 1024), y = stream_scaled(&s, -40, 40);
+        const double x = stream_scaled(&s, -1080, 1024),
+                     y = stream_scaled(&s, -40, 40);
         mpfr_set_d(exact, x, MPFR_RNDN);
         mpfr_mul_d(exact, exact, i % 3 == 0 ? y : 1 + y * 0x1p-60, MPFR_RNDN);
         real r;
         real_from(&r, exact);
         const double answer = stream_near(&s, i % 2 ? x : r.nearest, 3);
-        const double here = real_ulps(answer, &r), there = oracle_ulps(answer, exact);
+        const double here = real_ulps(answer, &r),
+                     there = oracle_ulps(answer, exact);
         if (!(here == there || fabs(here - there) <= 0x1p-52 * there))
-            ck_abort_msg("%a for %a: %a here, %a there", answer, r.nearest, here, there);
+            ck_abort_msg("%a for %a: %a here, %a there", answer, r.nearest, here,
+                         there);
     }
     mpfr_clear(exact);
 }
@@ -63,10 +66,12 @@ START_TEST(what_is_wrong_is_called_by_its_name)
     ck_assert_int_eq(problem_judge_time(&never, 0).wrong, WRONG_INVENTED);
     ck_assert_int_eq(problem_judge_time(&now, 2).wrong, WRONG_NOW);
     ck_assert_int_eq(problem_judge_time(&later, 0).wrong, WRONG_NOW);
-    ck_assert_int_eq(problem_judge_time(&later, (double)NAN).wrong, WRONG_SPURIOUS);
+    ck_assert_int_eq(problem_judge_time(&later, (double)NAN).wrong,
+                     WRONG_SPURIOUS);
     ck_assert_int_eq(problem_judge_time(&later, -2).wrong, WRONG_SPURIOUS);
     ck_assert_int_eq(problem_judge_time(&later, 5).wrong, WRONG_NOT);
-    ck_assert(problem_judge_time(&never, infinite).error[0] < 0); // nothing to measure
+    ck_assert(problem_judge_time(&never, infinite).error[0] <
+              0); // nothing to measure
 }
 END_TEST
 
@@ -87,8 +92,9 @@ START_TEST(a_quadratic_is_judged_by_its_count_first)
 }
 END_TEST
 
-// The distance from the surface: the answer is a relative 2^-40 too late, so the pair is
-// 2^-40 |v| t too far on, head on; in eps of sigma + |v| t, 2^12 |v| t / (sigma + |v| t).
+// The distance from the surface: the answer is a relative 2^-40 too late, so the
+// pair is 2^-40 |v| t too far on, head on; in eps of sigma + |v| t, 2^12 |v| t /
+// (sigma + |v| t).
 START_TEST(the_gap_is_how_far_the_pair_is_from_the_surface)
 {
     const double x[7] = {4, 0, 0, -1, 0, 0, 1}, t = 3 * (1 + 0x1p-40);
@@ -110,7 +116,8 @@ START_TEST(a_sample_is_in_order_and_knows_its_worst)
         ck_assert_int_eq(measure(&problem_quadratic, 0, 1, f, 500, 7, &s[f]), 0);
     ck_assert_int_eq(measure_pool(&all, 2, s), 0);
     ck_assert_int_eq(all.n, 1000);
-    ck_assert_int_eq(measure_wrong(&all), measure_wrong(&s[0]) + measure_wrong(&s[1]));
+    ck_assert_int_eq(measure_wrong(&all),
+                     measure_wrong(&s[0]) + measure_wrong(&s[1]));
     for (int i = 1; i < all.count[0]; i++)
         ck_assert(all.error[0][i - 1] <= all.error[0][i]);
     ck_assert(measure_quantile(&all, 0, 1) ==
@@ -161,10 +168,11 @@ START_TEST(every_method_of_ours_keeps_its_promise)
                 if (measure_wrong(&s) > 0 ||
                     (m->bound > 0 &&
                      measure_quantile(&s, m->bound_measure, 1) > m->bound))
-                    ck_abort_msg("%s, %s: %d wrong, off by %a; see ulp %s %s 200 3",
-                                 m->name, problems[i]->family(f), measure_wrong(&s),
-                                 measure_quantile(&s, m->bound_measure, 1), m->name,
-                                 problems[i]->family(f));
+                    ck_abort_msg(
+                        "%s, %s: %d wrong, off by %a; see ulp %s %s 200 3",
+                        m->name, problems[i]->family(f), measure_wrong(&s),
+                        measure_quantile(&s, m->bound_measure, 1), m->name,
+                        problems[i]->family(f));
                 measure_free(&s);
             }
 }
@@ -182,8 +190,8 @@ static void four_times(const inputs *in, answers *out)
         once(in, out);
 }
 
-// Not a test of the machine's speed: four times the work costs more than twice as much
-// even where somebody disturbs.
+// Not a test of the machine's speed: four times the work costs more than twice as
+// much even where somebody disturbs.
 START_TEST(more_work_costs_more)
 {
     loop *const loops[] = {once, four_times};
@@ -199,12 +207,12 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("measure", 120, errors_are_those_of_the_oracle,
-                     ends_of_the_range_are_errors_like_any_other,
-                     what_is_wrong_is_called_by_its_name,
-                     a_quadratic_is_judged_by_its_count_first,
-                     the_gap_is_how_far_the_pair_is_from_the_surface,
-                     a_sample_is_in_order_and_knows_its_worst,
-                     names_are_of_one_method_each,
-                     every_method_of_ours_keeps_its_promise, more_work_costs_more);
+    return RUN_SUITE(
+        "measure", 120, errors_are_those_of_the_oracle,
+        ends_of_the_range_are_errors_like_any_other,
+        what_is_wrong_is_called_by_its_name,
+        a_quadratic_is_judged_by_its_count_first,
+        the_gap_is_how_far_the_pair_is_from_the_surface,
+        a_sample_is_in_order_and_knows_its_worst, names_are_of_one_method_each,
+        every_method_of_ours_keeps_its_promise, more_work_costs_more);
 }

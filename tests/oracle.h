@@ -15,7 +15,7 @@
 #ifndef ORACLE_BITS // the same with fewer bits is a rival: see rivals.h
 #define ORACLE_BITS 9000
 #endif
-#define ORACLE_N    MPFR_RNDN
+#define ORACLE_N MPFR_RNDN
 
 /** z += sign x y. */
 static inline void oracle_add(mpfr_t z, int sign, double x, double y)

@@ -60,8 +60,8 @@ static const method methods[] = {
     {"halfspace_time/float128", "__float128", "the same in 113 bits", RANK_WIDE,
      quad_halfspace_time_loop, 0, 0},
 #endif
-    {"halfspace_time/mpfr256", "MPFR, 256 bits", "the same in 256 bits", RANK_WIDE,
-     rival_halfspace_time_mpfr256_loop, 0, 0},
+    {"halfspace_time/mpfr256", "MPFR, 256 bits", "the same in 256 bits",
+     RANK_WIDE, rival_halfspace_time_mpfr256_loop, 0, 0},
     {"halfspace_time/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
      RANK_JUDGE, rival_halfspace_time_mpfr_loop, 0, 0},
@@ -72,7 +72,8 @@ static const method methods[] = {
 const problem problem_halfspace_time = {
     .name = "halfspace-time",
     .title = "When a particle meets a wall",
-    .about = "A particle flies towards a plane, or away from it.  When does it arrive?",
+    .about = "A particle flies towards a plane, or away from it.  When does it "
+             "arrive?",
     .width = 12,
     .outputs = 1,
     .families = PAIR_FAMILIES,

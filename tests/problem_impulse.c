@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What two particles do at a step, or at a hard core.  Two measures: the pair's energy, in
-// ulp of the largest kinetic energy of one of them, and its momentum, in ulp of the largest
-// |m v|.
+// What two particles do at a step, or at a hard core.  Two measures: the pair's
+// energy, in ulp of the largest kinetic energy of one of them, and its momentum,
+// in ulp of the largest |m v|.
 #include "arithmetics.h"
 #include "oracle.h"
 #include "pairs.h"
@@ -15,8 +15,8 @@ enum { EQUAL, MASSES, BRINK, SMALL, SCALED, FAMILIES };
 
 static const char *family(int k)
 {
-    static const char *const names[FAMILIES] = {"equal", "masses", "brink", "small",
-                                                "scaled"};
+    static const char *const names[FAMILIES] = {"equal", "masses", "brink",
+                                                "small", "scaled"};
     return names[k];
 }
 
@@ -32,7 +32,8 @@ static double rise_for(int k, stream *s, double mu, double b, double vv)
     }
 }
 
-/** On the surface to a few ulp; masses up to 1e12 apart, but in the first family. */
+/** On the surface to a few ulp; masses up to 1e12 apart, but in the first family.
+ */
 static void make(int k, stream *s, double *x)
 {
     fill_normal(s, x + R, 1);
@@ -51,7 +52,8 @@ static void make(int k, stream *s, double *x)
     x[RISE] = rise_for(k, s, x[M1] / (x[M1] + x[M2]) * x[M2], b, vv);
     if (k != SCALED)
         return;
-    const int lengths = stream_int(s, -600, 600), speeds = stream_int(s, -300, 300),
+    const int lengths = stream_int(s, -600, 600),
+              speeds = stream_int(s, -300, 300),
               masses = stream_int(s, -300, 300);
     for (int i = 0; i < 3; i++) {
         x[R + i] = ldexp(x[R + i], lengths);
@@ -78,7 +80,8 @@ static void make_core(int k, stream *s, double *x)
     memcpy(x, step, 11 * sizeof *x);
 }
 
-// --- The right answers ---------------------------------------------------------------
+// --- The right answers
+// ---------------------------------------------------------------
 
 /** Crossed where m1 m2 b^2 > 2 rise r.r (m1 + m2). */
 static void solve(const double *x, truth *t)
@@ -169,13 +172,15 @@ static verdict judge(const double *x, const truth *t, int n, const double *y)
     verdict v = {n == t->n ? WRONG_NOT : WRONG_SIDE, {0, 0}};
     for (int k = 0; k < 6; k++)
         if (!isfinite(y[k]))
-            return (verdict){WRONG_SPURIOUS, {(double)INFINITY, (double)INFINITY}};
+            return (verdict){WRONG_SPURIOUS,
+                             {(double)INFINITY, (double)INFINITY}};
     v.error[0] = energy_error(x, y, n ? x[RISE] : 0);
     v.error[1] = momentum_error(x, y);
     return v;
 }
 
-// --- Ways ----------------------------------------------------------------------------
+// --- Ways
+// ----------------------------------------------------------------------------
 
 /** What a kernel leaves in v1, v2 and the virial, as an answer. */
 static void take(answers *out, int i, const double v1[3], const double v2[3],
@@ -218,13 +223,14 @@ STEP(brink_step_impulse, enum brink_direction)
 CORE(brink_core_impulse)
 
 static const method steps[] = {
-    {"step/naive", "as written", "b' = √(b² - 2 rise r·r / μ), and the kick along r",
-     RANK_FORMULA, double_step_loop, 0, 0},
-    {"step/long", "long double", "the same in 64 bits", RANK_WIDE, long_step_loop, 0,
-     0},
-#ifdef TESTS_FLOAT128
-    {"step/float128", "__float128", "the same in 113 bits", RANK_WIDE, quad_step_loop,
+    {"step/naive", "as written",
+     "b' = √(b² - 2 rise r·r / μ), and the kick along r", RANK_FORMULA,
+     double_step_loop, 0, 0},
+    {"step/long", "long double", "the same in 64 bits", RANK_WIDE, long_step_loop,
      0, 0},
+#ifdef TESTS_FLOAT128
+    {"step/float128", "__float128", "the same in 113 bits", RANK_WIDE,
+     quad_step_loop, 0, 0},
 #endif
     {"step_impulse", "brink", "brink_step_impulse", RANK_PLAIN,
      brink_step_impulse_loop, BRINK_IMPULSE_ENERGY_ULP, 0},
@@ -233,11 +239,11 @@ static const method steps[] = {
 static const method cores[] = {
     {"core/naive", "as written", "b' = -b, and the kick along r", RANK_FORMULA,
      double_core_loop, 0, 0},
-    {"core/long", "long double", "the same in 64 bits", RANK_WIDE, long_core_loop, 0,
-     0},
-#ifdef TESTS_FLOAT128
-    {"core/float128", "__float128", "the same in 113 bits", RANK_WIDE, quad_core_loop,
+    {"core/long", "long double", "the same in 64 bits", RANK_WIDE, long_core_loop,
      0, 0},
+#ifdef TESTS_FLOAT128
+    {"core/float128", "__float128", "the same in 113 bits", RANK_WIDE,
+     quad_core_loop, 0, 0},
 #endif
     {"core_impulse", "brink", "brink_core_impulse", RANK_PLAIN,
      brink_core_impulse_loop, BRINK_IMPULSE_ENERGY_ULP, 0},
@@ -251,8 +257,8 @@ static const method cores[] = {
 const problem problem_step = {
     .name = "step",
     .title = "Across a step",
-    .about = "Two particles meet a step of their potential.  Have they the energy to "
-             "cross it, and how do they fly on?",
+    .about = "Two particles meet a step of their potential.  Have they the "
+             "energy to cross it, and how do they fly on?",
     .width = 13,
     .outputs = 7,
     .families = FAMILIES,

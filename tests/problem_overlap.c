@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The overlap functions and their rates, of balls and of half-spaces, now and later: seven
-// quantities of one pattern.
+// The overlap functions and their rates, of balls and of half-spaces, now and
+// later: seven quantities of one pattern.
 #include "arithmetics.h"
 #include "oracle_overlap.h"
 #include "pairs.h"
@@ -16,7 +16,7 @@ static int sign_of(double x)
     return (x > 0) - (x < 0);
 }
 
-// --- Inputs --------------------------------------------------------------------------
+// --- Inputs --------------------------------------------------------------------
 
 static const char *family(int k)
 {
@@ -98,12 +98,13 @@ static const signed char paste_plane[] = {0, 1, 2, -1, -1, -1, -1,
                                           3, 4, 5, 6,  7,  8,  -1};
 static const signed char paste_rates[] = {-1, -1, -1, 0,  1,  2,  -1,
                                           3,  4,  5,  -1, -1, -1, -1};
-static const signed char paste_plane_at[] = {0, 1, 2, 3,  4,  5,  -1,
+static const signed char paste_plane_at[] = {0, 1, 2, 3, 4,  5,  -1,
                                              6, 7, 8, 9, 10, 11, 12};
 
-// --- Verdicts ------------------------------------------------------------------------
+// --- Verdicts ------------------------------------------------------------------
 
-static verdict judge_value(const double *x, const truth *t, int n, const double *y)
+static verdict judge_value(const double *x, const truth *t, int n,
+                           const double *y)
 {
     (void)x;
     (void)n;
@@ -122,7 +123,7 @@ static verdict judge_sign(const double *x, const truth *t, int n, const double *
     return (verdict){n == t->n ? WRONG_NOT : WRONG_SIGN, {n != t->n, -1}};
 }
 
-// --- Ways ----------------------------------------------------------------------------
+// --- Ways ----------------------------------------------------------------------
 
 #ifdef TESTS_FLOAT128
 #define WITH_QUAD(...) __VA_ARGS__
@@ -130,8 +131,8 @@ static verdict judge_sign(const double *x, const truth *t, int n, const double *
 #define WITH_QUAD(...)
 #endif
 
-/** A quantity q of `arguments`, by its formula, by the kernels, and by MPFR as f of
- * mpfr_arguments; solved, and its methods. */
+/** A quantity q of `arguments`, by its formula, by the kernels, and by MPFR as f
+ * of mpfr_arguments; solved, and its methods. */
 #define QUANTITY(q, arguments, kernel, kernel_sign, f, mpfr_arguments)           \
     LOOP(q##_naive, out->x[0][i] = double_##q arguments)                         \
     LOOP(q##_long, out->x[0][i] = long_##q arguments)                            \
@@ -146,16 +147,16 @@ static verdict judge_sign(const double *x, const truth *t, int n, const double *
         {#q "/long", "long double", "its formula in 64 bits", RANK_WIDE,         \
          q##_long, 0, 0},                                                        \
         WITH_QUAD({#q "/float128", "__float128", "its formula in 113 bits",      \
-                   RANK_WIDE, q##_quad, 0, 0}, )                                 \
-        {#q "/mpfr256", "MPFR, 256 bits", "its formula in 256 bits", RANK_WIDE,  \
-         q##_mpfr256, 0, 0},                                                     \
+                   RANK_WIDE, q##_quad, 0, 0}, ){                                \
+            #q "/mpfr256", "MPFR, 256 bits", "its formula in 256 bits",          \
+            RANK_WIDE, q##_mpfr256, 0, 0},                                       \
         {#q "/mpfr", "MPFR, 9000 bits",                                          \
          "the same, exact: what all others are judged by", RANK_JUDGE, q##_mpfr, \
          0, 0},                                                                  \
         {#kernel, "brink", "brink_" #kernel, RANK_PLAIN, q##_kernel,             \
          BRINK_OVERLAP_ULP, 0},                                                  \
-        {#kernel_sign, "brink, sign", "brink_" #kernel_sign, RANK_SIGN, q##_sign,\
-         0, 0},                                                                  \
+        {#kernel_sign, "brink, sign", "brink_" #kernel_sign, RANK_SIGN,          \
+         q##_sign, 0, 0},                                                        \
     };                                                                           \
     static void q##_solve(const double *p, truth *t)                             \
     {                                                                            \
@@ -204,15 +205,18 @@ QUANTITY(halfspace_at, (p, p + 3, p + 6, p + 9, p[12]), halfspace_overlap_at,
         .method = q##_methods,                                                   \
     };
 
-PROBLEM(ball, "Overlap of two balls", "r·r - σ²: are they apart, in touch, or one inside the other?",
-        make_pair, 7, paste_pair)
-PROBLEM(rate, "Nearer or farther", "r·v: are they coming nearer?", make_pair, 7, paste_pair)
-PROBLEM(ball_at, "Overlap of two balls, later", "|r + v t|² - σ²", make_pair_at, 8,
+PROBLEM(ball, "Overlap of two balls",
+        "r·r - σ²: are they apart, in touch, or one inside the other?", make_pair,
+        7, paste_pair)
+PROBLEM(rate, "Nearer or farther", "r·v: are they coming nearer?", make_pair, 7,
+        paste_pair)
+PROBLEM(ball_at, "Overlap of two balls, later", "|r + v t|² - σ²", make_pair_at,
+        8, paste_pair_at)
+PROBLEM(rate_at, "Nearer or farther, later", "v·(r + v t)", make_pair_at, 8,
         paste_pair_at)
-PROBLEM(rate_at, "Nearer or farther, later", "v·(r + v t)", make_pair_at, 8, paste_pair_at)
 PROBLEM(halfspace, "Overlap with a wall", "n·(r - c): on which side of a plane?",
         make_plane, 9, paste_plane)
-PROBLEM(halfspace_rate, "Towards a wall", "n·v: towards the plane, or away?", make_rates, 6,
-        paste_rates)
-PROBLEM(halfspace_at, "Overlap with a wall, later", "n·(r + v t - c)", make_plane_at,
-        13, paste_plane_at)
+PROBLEM(halfspace_rate, "Towards a wall", "n·v: towards the plane, or away?",
+        make_rates, 6, paste_rates)
+PROBLEM(halfspace_at, "Overlap with a wall, later", "n·(r + v t - c)",
+        make_plane_at, 13, paste_plane_at)

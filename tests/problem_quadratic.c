@@ -68,11 +68,12 @@ static const method methods[] = {
     {"quadratic/textbook", "textbook", "(-b ± √(b² - 4ac)) / 2a, as in school",
      RANK_FORMULA, baseline_quadratic_textbook_loop, 0, 0},
     {"quadratic/stable", "stable quotient",
-     "q = -(b ± √(b² - 4ac)) / 2, roots q/a and c/q: no cancellation between b and "
-     "the root",
+     "q = -(b ± √(b² - 4ac)) / 2, roots q/a and c/q: no cancellation between b "
+     "and the root",
      RANK_FORMULA, double_roots_loop, 0, 0},
     {"quadratic/kahan", "Kahan's fma",
-     "the stable quotient, and the discriminant to 3/2 ulp by Kahan's way with fma",
+     "the stable quotient, and the discriminant to 3/2 ulp by Kahan's way with "
+     "fma",
      RANK_FORMULA, rival_roots_kahan_loop, 0, 0},
     {"quadratic/gsl", "GSL", "gsl_poly_solve_quadratic", RANK_LIBRARY,
      gsl_poly_solve_quadratic_loop, 0, 0},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// When a pair meets a sphere, and when it leaves it.  Two measures: ulp of the time, and
-// how far from where it should be the pair is at that time, in eps (sigma + |v| t).
+// When a pair meets a sphere, and when it leaves it.  Two measures: ulp of the
+// time, and how far from where it should be the pair is at that time, in eps
+// (sigma + |v| t).
 #include "arithmetics.h"
 #include "baselines.h"
 #include "oracle.h"
@@ -41,10 +42,12 @@ static void solve_disjoint(const double *x, truth *t)
     mpfr_clear(time);
 }
 
-// --- The distance from the surface ---------------------------------------------------
+// --- The distance from the surface
+// ---------------------------------------------------
 //
-// In long double: of 64 bits, 11 more than those that are measured, so the result is good
-// to a percent where it is more than a few eps; its exponents reach every square.
+// In long double: of 64 bits, 11 more than those that are measured, so the result
+// is good to a percent where it is more than a few eps; its exponents reach every
+// square.
 
 static long double size_of(const double x[3])
 {
@@ -90,10 +93,11 @@ static double gap_of_intersection(const double *x, double t)
     return isinf(t) ? depth_missed(x) : in_eps(x, distance_at(x, t) - x[6], t);
 }
 
-// --- Verdicts ------------------------------------------------------------------------
+// --- Verdicts
+// ------------------------------------------------------------------------
 
-/** Of a time that is right, but has lost digits to the end of the range of doubles, no
- * double would put the pair on the surface. */
+/** Of a time that is right, but has lost digits to the end of the range of
+ * doubles, no double would put the pair on the surface. */
 static int is_at_the_end(const verdict *v, const real *exact)
 {
     return v->wrong == WRONG_NOT &&
@@ -126,7 +130,8 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     return v;
 }
 
-// --- Ways ----------------------------------------------------------------------------
+// --- Ways
+// ----------------------------------------------------------------------------
 
 #define TIMES(kernel) LOOP(kernel##_loop, out->x[0][i] = kernel(p, p + 3, p[6]))
 
@@ -156,8 +161,8 @@ TIMES(quad_disjoint)
 #endif
 
 static const method intersections[] = {
-    {"intersection/printed", "[S16] alg. 1", "[S16] algorithm 1 as printed", RANK_FORMULA,
-     baseline_intersection_loop, 0, 0},
+    {"intersection/printed", "[S16] alg. 1", "[S16] algorithm 1 as printed",
+     RANK_FORMULA, baseline_intersection_loop, 0, 0},
     {"intersection/kahan", "with exact b² - ac",
      "algorithm 1, and the discriminant of its rounded a, b, c to 3/2 ulp by fma",
      RANK_FORMULA, rival_intersection_kahan_loop, 0, 0},
@@ -170,8 +175,8 @@ static const method intersections[] = {
     {"intersection/float128", "__float128", "algorithm 1 in 113 bits", RANK_WIDE,
      quad_intersection_loop, 0, 0},
 #endif
-    {"intersection/mpfr256", "MPFR, 256 bits", "algorithm 1 in 256 bits", RANK_WIDE,
-     rival_intersection_mpfr256_loop, 0, 0},
+    {"intersection/mpfr256", "MPFR, 256 bits", "algorithm 1 in 256 bits",
+     RANK_WIDE, rival_intersection_mpfr256_loop, 0, 0},
     {"intersection/mpfr", "MPFR, 9000 bits",
      "the same where sums and products are exact: what all others are judged by",
      RANK_JUDGE, rival_intersection_mpfr_loop, 0, 0},
@@ -185,15 +190,15 @@ static const method intersections[] = {
 
 static const method disjoints[] = {
     {"disjoint/stable", "alg. 2, put right",
-     "[S16] algorithm 2 with the branches of the printed one swapped back", RANK_FORMULA,
-     baseline_disjoint_loop, 0, 0},
-    {"disjoint/printed", "[S16] alg. 2",
-     "[S16] algorithm 2 as printed", RANK_FORMULA, rival_disjoint_printed_loop, 0, 0},
+     "[S16] algorithm 2 with the branches of the printed one swapped back",
+     RANK_FORMULA, baseline_disjoint_loop, 0, 0},
+    {"disjoint/printed", "[S16] alg. 2", "[S16] algorithm 2 as printed",
+     RANK_FORMULA, rival_disjoint_printed_loop, 0, 0},
     {"disjoint/cross", "cross form",
      "put right, with the discriminant as a σ² - |r × v|², each 2 × 2 by fma",
      RANK_FORMULA, rival_disjoint_cross_loop, 0, 0},
-    {"disjoint/long", "long double", "algorithm 2, put right, in 64 bits", RANK_WIDE,
-     long_disjoint_loop, 0, 0},
+    {"disjoint/long", "long double", "algorithm 2, put right, in 64 bits",
+     RANK_WIDE, long_disjoint_loop, 0, 0},
 #ifdef TESTS_FLOAT128
     {"disjoint/float128", "__float128", "algorithm 2, put right, in 113 bits",
      RANK_WIDE, quad_disjoint_loop, 0, 0},

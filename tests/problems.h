@@ -2,9 +2,9 @@
 #ifndef TESTS_PROBLEMS_H
 #define TESTS_PROBLEMS_H
 /**
- * What the kernels compute, as problems: families of inputs, the right answer, and
- * ways to an answer, the kernels' own and those of rivals.  What the ulp tool and
- * the bench have in common.
+ * What the kernels compute, as problems: families of inputs, the right answer,
+ * and ways to an answer, the kernels' own and those of rivals.  What the ulp tool
+ * and the bench have in common.
  */
 #include "random.h"
 #include <mpfr.h>
@@ -26,8 +26,8 @@ typedef struct answers {
 /** A kernel called on all inputs, directly, so that the loop can be timed. */
 typedef void loop(const inputs *, answers *);
 
-/** A real number to 128 bits, the double nearest to it, and the exponent of the unit
- * in the last place of its binade. */
+/** A real number to 128 bits, the double nearest to it, and the exponent of the
+ * unit in the last place of its binade. */
 typedef struct real {
     long double hi, lo;
     double nearest;
@@ -55,9 +55,9 @@ enum { MEASURES = 2 };
 
 extern const char *const problem_wrong_names[WRONG_KINDS];
 
-/** How good an answer is by each of the problem's measures: infinite where the answer
- * is wrong beyond measure, negative where there was nothing to measure, such as the
- * time at which a pair rightly never meets. */
+/** How good an answer is by each of the problem's measures: infinite where the
+ * answer is wrong beyond measure, negative where there was nothing to measure,
+ * such as the time at which a pair rightly never meets. */
 typedef struct verdict {
     enum wrong wrong;
     double error[MEASURES];
@@ -68,7 +68,7 @@ enum rank {
     RANK_FAST,
     RANK_PLAIN,
     RANK_CR,
-    RANK_SIGN, // answers with a sign alone
+    RANK_SIGN,    // answers with a sign alone
     RANK_FORMULA, // here begin the rivals
     RANK_LIBRARY,
     RANK_WIDE,
@@ -92,8 +92,9 @@ typedef struct problem {
     const char *title; // of a section
     const char *about;
     int width, outputs;
-    const signed char *paste; // where the numbers of a line of tests/*.wc are among
-    int pasted;               // the inputs, -1 for a 0; NULL: as they come
+    const signed char
+        *paste; // where the numbers of a line of tests/*.wc are among
+    int pasted; // the inputs, -1 for a 0; NULL: as they come
     int families;
     const char *(*family)(int);
     void (*make)(int family, stream *, double *x);
@@ -123,21 +124,24 @@ void answers_free(answers *);
 void real_from(real *, const mpfr_t);
 
 /**
- * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024, so
- * rounding to infinity from the edge is an error like any other.  0 where x is the
- * infinity the exact value is or rounds to; +inf for NaN and for a missed infinity.
- * As oracle_ulps, at once.
+ * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024,
+ * so rounding to infinity from the edge is an error like any other.  0 where x is
+ * the infinity the exact value is or rounds to; +inf for NaN and for a missed
+ * infinity. As oracle_ulps, at once.
  */
 double real_ulps(double x, const real *exact);
 
-/** Whether 0, an infinity or NaN stands for something that is nothing of the kind: by
- * more than any rounding to a subnormal or at the edge of the range explains. */
+/** Whether 0, an infinity or NaN stands for something that is nothing of the
+ * kind: by more than any rounding to a subnormal or at the edge of the range
+ * explains. */
 int real_is_spurious(double x, const real *exact);
 
-/** Of an event's time t: whether there is one, and when.  By the first measure. */
+/** Of an event's time t: whether there is one, and when.  By the first measure.
+ */
 verdict problem_judge_time(const real *exact, double t);
 
-/** The loop over a kernel: statements with *p, the inputs of case i, into *out. */
+/** The loop over a kernel: statements with *p, the inputs of case i, into *out.
+ */
 #define LOOP(name, ...)                                                          \
     static void name(const inputs *in, answers *out)                             \
     {                                                                            \

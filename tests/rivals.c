@@ -34,13 +34,15 @@ static double cross_form(double a, const double r[3], const double v[3],
     return a * (sigma * sigma) - (x * x + y * y + z * z);
 }
 
-double rival_intersection_kahan(const double r[3], const double v[3], double sigma)
+double rival_intersection_kahan(const double r[3], const double v[3],
+                                double sigma)
 {
     const coefficients f = rounded(r, v, sigma);
     return double_intersection_for(f.b, f.c, determinant(f.b, f.b, f.a, f.c));
 }
 
-double rival_intersection_cross(const double r[3], const double v[3], double sigma)
+double rival_intersection_cross(const double r[3], const double v[3],
+                                double sigma)
 {
     const coefficients f = rounded(r, v, sigma);
     return double_intersection_for(f.b, f.c, cross_form(f.a, r, v, sigma));

@@ -17,8 +17,8 @@ typedef struct contest {
     standing *of; // one a method
 } contest;
 
-/** Measures all methods of a problem: `cases` a family, `seconds` for all costs.  0, or
- * -1 if memory is out. */
+/** Measures all methods of a problem: `cases` a family, `seconds` for all costs.
+ * 0, or -1 if memory is out. */
 int contest_hold(contest *, const problem *, int cases, uint64_t seed,
                  double seconds);
 void contest_free(contest *);

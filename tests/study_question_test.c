@@ -16,8 +16,8 @@ START_TEST(every_way_is_named_and_explained)
     for (int k = 0; k < BRINK_METHODS; k++) {
         const brink_rule *rule = brink_method_rule((enum brink_method)k);
         ck_assert_msg(strstr(page, rule->name) != NULL, "%s", rule->name);
-        char
-            begin[20]; // of the idea: further on there may be something to escape
+        // of the idea: further on there may be something to escape
+        char begin[20];
         snprintf(begin, sizeof begin, "%s", rule->idea);
         begin[strcspn(begin, "'")] = '\0';
         ck_assert_msg(strstr(page, begin) != NULL, "%s", begin);

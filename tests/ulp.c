@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /**
- * How good one kernel is on one family of inputs: ulp KERNEL [family] [count] [seed].
+ * How good one kernel is on one family of inputs: ulp KERNEL [family] [count]
+ * [seed].
  *
- * Every family where none is named.  The worst inputs are printed as hard cases, to be
- * pasted into tests/NAME.wc.  Status: 0, 1 where the kernel did not keep what it
- * promises, 2 for a question that cannot be answered.
+ * Every family where none is named.  The worst inputs are printed as hard cases,
+ * to be pasted into tests/NAME.wc.  Status: 0, 1 where the kernel did not keep
+ * what it promises, 2 for a question that cannot be answered.
  */
 #include "measure.h"
 #include <inttypes.h>
@@ -69,8 +70,9 @@ static int tell(const problem *p, const method *m, int family, uint64_t seed,
            s->n, seed);
     printf("  %d of them with something to measure\n", s->count[0]);
     for (int k = 0; k < MEASURES && p->measure[k] != NULL; k++) {
-        printf("  max %.4g   99.9 %% %.4g   median %.4g", measure_quantile(s, k, 1),
-               measure_quantile(s, k, 0.999), measure_quantile(s, k, 0.5));
+        printf("  max %.4g   99.9 %% %.4g   median %.4g",
+               measure_quantile(s, k, 1), measure_quantile(s, k, 0.999),
+               measure_quantile(s, k, 0.5));
         if (m->bound > 0 && m->bound_measure == k)
             printf("   promised %g", m->bound);
         printf("   %s\n", p->measure[k]);
@@ -111,8 +113,9 @@ int main(int argc, char **argv)
         return USAGE;
     }
     if (argc > 2 && (only = problem_family(p, argv[2])) < 0) {
-        fprintf(stderr, "ulp: there is no family %s of inputs of %s; ulp alone lists "
-                        "them\n",
+        fprintf(stderr,
+                "ulp: there is no family %s of inputs of %s; ulp alone lists "
+                "them\n",
                 argv[2], argv[1]);
         return USAGE;
     }

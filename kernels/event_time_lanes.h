@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#ifndef BRINK_LANES_H
-#define BRINK_LANES_H
-/** Two doubles that go through the same arithmetic: a third less work for one pair;
- *  not installed. */
-#include "path.h"
+#ifndef BRINK_EVENT_TIME_LANES_H
+#define BRINK_EVENT_TIME_LANES_H
+/** Two doubles that go through the same arithmetic: a third less work for one
+ * pair; not installed. */
+#include "event_time_flight.h"
 #ifdef __FMA__
 #include <immintrin.h>
 #endif

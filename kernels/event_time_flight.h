@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-#ifndef BRINK_PATH_H
-#define BRINK_PATH_H
+#ifndef BRINK_EVENT_TIME_FLIGHT_H
+#define BRINK_EVENT_TIME_FLIGHT_H
 /**
  * A pair in free flight as a polynomial, for the event times; not installed.
  *
  *     f(t) = |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c
- *     a = v.v   b = r.v   c = r.r - sigma^2   d = b^2 - a c = sigma^2 a - |r x v|^2
+ *     a = v.v   b = r.v   c = r.r - sigma^2   d = b^2 - a c = sigma^2 a - |r x
+ * v|^2
  *
- * Three ways to it: filters, which are cheap and know when they are certain; sums that
- * carry their rounding errors along; and in brink_*_time_slow double-double and exact
- * numbers, at any magnitude.
+ * Three ways to it: filters, which are cheap and know when they are certain; sums
+ * that carry their rounding errors along; and in brink_*_time_slow double-double
+ * and exact numbers, at any magnitude.
  *
- * u = 2^-53; P = sum |r_i v_i|, R = r.r + sigma^2, Q = a R >= P^2.  Bounds are to first
- * order, and what uses them leaves room for the rest.
+ * u = 2^-53; P = sum |r_i v_i|, R = r.r + sigma^2, Q = a R >= P^2.  Bounds are to
+ * first order, and what uses them leaves room for the rest.
  */
 #include "exact.h"
 
@@ -23,10 +24,11 @@ double brink_disjoint_time_slow(const double r[3], const double v[3],
                                 double sigma);
 
 /**
- * Where sigma^2 and its products are far from over- and underflow.  What else could go
- * out of range shows in the sums themselves, and makes no fast path certain: too large,
- * a bound is infinite or not a number, and no comparison with it holds; too small, it
- * is less than the absolute part of the bound.  So nothing else is looked at first.
+ * Where sigma^2 and its products are far from over- and underflow.  What else
+ * could go out of range shows in the sums themselves, and makes no fast path
+ * certain: too large, a bound is infinite or not a number, and no comparison with
+ * it holds; too small, it is less than the absolute part of the bound.  So
+ * nothing else is looked at first.
  */
 BRINK_INLINE int sigma_in_range(double sigma)
 {
@@ -38,7 +40,8 @@ BRINK_INLINE int is_in_range(double x)
     return (x > 0x1p-900) & (x < 0x1p1000);
 }
 
-// --- Filters -------------------------------------------------------------------------
+// --- Filters
+// -------------------------------------------------------------------------
 
 /** b, whose sign is certain where it is farther than `error` from 0. */
 typedef struct rate {
@@ -73,9 +76,10 @@ typedef struct chord {
     double a, d, s;
 } chord;
 
-/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900.  sigma^2 a is
- *  off by 1u + 3u; a component of the cross product, by Kahan's way, by 2u, its square
- *  by 4u, their sum by 3u more; and d, at most half of s where it matters, by 1u. */
+/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900. sigma^2
+ * a is off by 1u + 3u; a component of the cross product, by Kahan's way, by 2u,
+ * its square by 4u, their sum by 3u more; and d, at most half of s where it
+ * matters, by 1u. */
 BRINK_INLINE chord chord_of(const double r[3], const double v[3], double sigma)
 {
     double xy = r[1] * v[0], yz = r[1] * v[2], zx = r[0] * v[2];
@@ -100,7 +104,8 @@ BRINK_INLINE int passes_by(chord k)
     return (k.a > 0x1p-900) & (k.d < -fma(0x1p-50, k.s, 0x1p-900));
 }
 
-// --- Plain: sums that carry their errors ---------------------------------------------
+// --- Plain: sums that carry their errors
+// ---------------------------------------------
 
 /** b and c as unevaluated sums of two doubles, and R. */
 typedef struct sums {
@@ -113,8 +118,8 @@ BRINK_INLINE double sum_of(dd x)
     return x.hi + x.lo;
 }
 
-/** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is exact, and at
- *  most 3u of that sum in all; it is added up with five roundings. */
+/** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is exact,
+ * and at most 3u of that sum in all; it is added up with five roundings. */
 BRINK_INLINE dd dot_of(const double x[3], const double y[3])
 {
     dd p = two_prod(x[0], y[0]), q = two_prod(x[1], y[1]);
@@ -123,11 +128,11 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
-/** The same with a fourth product: error of c <= 11u^2 R, of b <= 7u^2 P, where R is more
- *  than 2^-900, so that what underflows does not count.  Where |c| < R / 3 the last
- *  difference is exact, and the error of c <= 6u^2 R: u^2 R each for the three additions
- *  that the products' errors are in, and 4u^2 r.r, r.r < 2/3 R, for those with the
- *  sums'. */
+/** The same with a fourth product: error of c <= 11u^2 R, of b <= 7u^2 P, where R
+ * is more than 2^-900, so that what underflows does not count.  Where |c| < R / 3
+ * the last difference is exact, and the error of c <= 6u^2 R: u^2 R each for the
+ * three additions that the products' errors are in, and 4u^2 r.r, r.r < 2/3 R,
+ * for those with the sums'. */
 BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
 {
     dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]);
@@ -148,9 +153,10 @@ BRINK_INLINE int is_inside(const sums *m)
     return sum_of(m->c) < -0x1p-102 * m->size;
 }
 
-/** d, and whether it is larger than 2^-44 Q, where its error <= 2.4u d.  The products are
- *  exact; what follows their leading parts is below 18u Q and takes fewer than ten
- *  roundings, which with what a, b, c are off makes 150u^2 Q, or 0.3u of 2^-44 Q. */
+/** d, and whether it is larger than 2^-44 Q, where its error <= 2.4u d.  The
+ * products are exact; what follows their leading parts is below 18u Q and takes
+ * fewer than ten roundings, which with what a, b, c are off makes 150u^2 Q, or
+ * 0.3u of 2^-44 Q. */
 typedef struct discriminant {
     double d;
     int certain;
@@ -166,10 +172,10 @@ BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
     return (discriminant){d, (a.hi > 0x1p-900) & (d > least)};
 }
 
-/** The intersection time within 8 ulp, of a pair that approaches; -1 where it is not
- *  certain.  c is off by 1u + 6u^2 R / c <= 4u; sqrt(d), at most half of the sum, by
- *  1.2u + 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u,
- *  and 8u are at most 8 ulp. */
+/** The intersection time within 8 ulp, of a pair that approaches; -1 where it is
+ * not certain.  c is off by 1u + 6u^2 R / c <= 4u; sqrt(d), at most half of the
+ * sum, by 1.2u + 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u)
+ * / 2 + 2u < 8u, and 8u are at most 8 ulp. */
 BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
 {
     discriminant d = discriminant_of(a, m);
@@ -188,20 +194,22 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
 }
 
 /**
- * The disjoint time within 8 ulp, of a pair that is inside, or near the surface, or that
- * is `passing`; -1 where it is not certain.  `rough` is its rate.
+ * The disjoint time within 8 ulp, of a pair that is inside, or near the surface,
+ * or that is `passing`; -1 where it is not certain.  `rough` is its rate.
  *
- * d = b^2 - a c loses nothing there: a may be off by 3u, c by 1u + k, k = 6u^2 R / |c| <= 3u
- * where it is divided by, b by 1u; the product a c, d, its root, the sum and the quotient
- * by 1u each.  With w = sqrt(d) / (sqrt(d) + |b|), to first order,
+ * d = b^2 - a c loses nothing there: a may be off by 3u, c by 1u + k, k = 6u^2 R
+ * / |c| <= 3u where it is divided by, b by 1u; the product a c, d, its root, the
+ * sum and the quotient by 1u each.  With w = sqrt(d) / (sqrt(d) + |b|), to first
+ * order,
  *
- *     b > 0: (1 + k) / 2w + 3 (2w - 1) / 2w + [(1 - w)^2 / w + (2w - 1) / 2w + w / 2]
- *            + w + (1 - w) + 2    for 1/2 <= w <= 1:  at most 4.8 + k, 7.8u at w = 1/2
- *     b < 0, inside:        3 / 2w in place of the terms of a:  at most 6.8u
- *     b < 0, just outside, d > 3/4 b^2:  3.3 + 1.8 + 0.5 + 2 = 7.6u
+ *     b > 0: (1 + k) / 2w + 3 (2w - 1) / 2w + [(1 - w)^2 / w + (2w - 1) / 2w + w
+ * / 2]
+ *            + w + (1 - w) + 2    for 1/2 <= w <= 1:  at most 4.8 + k, 7.8u at w
+ * = 1/2 b < 0, inside:        3 / 2w in place of the terms of a:  at most 6.8u b
+ * < 0, just outside, d > 3/4 b^2:  3.3 + 1.8 + 0.5 + 2 = 7.6u
  *
- * A pair that passes by does so from its closest approach, -b / a; |b| > 4u P then, so b is
- * off by 1u + 2u: 7u.
+ * A pair that passes by does so from its closest approach, -b / a; |b| > 4u P
+ * then, so b is off by 1u + 2u: 7u.
  */
 BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
 {
@@ -217,9 +225,11 @@ BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passin
     return now ? 0 : t;
 }
 
-// --- Fast ----------------------------------------------------------------------------
+// --- Fast
+// ----------------------------------------------------------------------------
 
-/** Whether the squares are of moderate size, and with them all that is made of them. */
+/** Whether the squares are of moderate size, and with them all that is made of
+ * them. */
 BRINK_INLINE int are_in_range(double a, double rr, double ss)
 {
     uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
@@ -227,14 +237,15 @@ BRINK_INLINE int are_in_range(double a, double rr, double ss)
     return all < 512;
 }
 
-/** On the rim c and d are nothing but their errors, which need not agree: there the pair
- *  is at the sphere no later than at its closest approach, -b / a. */
+/** On the rim c and d are nothing but their errors, which need not agree: there
+ * the pair is at the sphere no later than at its closest approach, -b / a. */
 BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
 {
     return k.a * c > -b * sum;
 }
 
-/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then. */
+/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then.
+ */
 BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
 {
     double d_inside = fma(b, b, -a * c),

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Every path gives the same bits: each is called by name, where the library has
+// it and the processor can, and compared with the path that has neither vectors
+// nor fma() in hardware.  A compiler that contracted a * b + c would be seen here
+// too.
+#include "pairs.h"
+#include "quadratics.h"
+#include "suite.h"
+#include <brink/event_time.h>
+#include <brink/impulse.h>
+#include <brink/quadratic.h>
+
+enum { CASES_A_FAMILY = 2000, SEED = 1 };
+
+typedef int roots(double a, double b, double c, double *x0, double *x1);
+typedef double pair_time(const double r[3], const double v[3], double sigma);
+typedef double wall_time(const double r[3], const double v[3], const double n[3],
+                         const double c[3]);
+typedef int step(const double r[3], double m1, double m2, double rise,
+                 enum brink_direction way, double v1[3], double v2[3],
+                 double *virial);
+typedef void times(size_t n, const double *rx, const double *ry, const double *rz,
+                   const double *vx, const double *vy, const double *vz,
+                   const double *sigma, double *t);
+
+// Weak: a build for another processor has one path only, under the plain names.
+#define PATHS_OF(type, name)                                                     \
+    extern type name##_any __attribute__((weak)),                                \
+        name##_fma __attribute__((weak)), name##_avx512 __attribute__((weak));
+
+PATHS_OF(roots, brink_quadratic_roots)
+PATHS_OF(roots, brink_quadratic_roots_cr)
+PATHS_OF(pair_time, brink_intersection_time)
+PATHS_OF(pair_time, brink_intersection_time_fast)
+PATHS_OF(pair_time, brink_intersection_time_cr)
+PATHS_OF(pair_time, brink_intersection_time_slow)
+PATHS_OF(pair_time, brink_disjoint_time)
+PATHS_OF(pair_time, brink_disjoint_time_fast)
+PATHS_OF(pair_time, brink_disjoint_time_cr)
+PATHS_OF(pair_time, brink_disjoint_time_slow)
+PATHS_OF(wall_time, brink_halfspace_time)
+PATHS_OF(step, brink_step_impulse)
+PATHS_OF(times, brink_intersection_times)
+PATHS_OF(times, brink_intersection_times_fast)
+PATHS_OF(times, brink_disjoint_times)
+PATHS_OF(times, brink_disjoint_times_fast)
+
+#define PATHS(name)                                                              \
+    {                                                                            \
+        name##_any, name##_fma, name##_avx512                                    \
+    }
+
+/** Whether path 1 (fma) or 2 (avx512) can be tried; path 0 is what they must
+ * equal. */
+static int can_try(int path)
+{
+    if (brink_quadratic_roots_any == NULL)
+        return 0;
+#ifdef __x86_64__
+    int fma = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    int avx512 = __builtin_cpu_supports("avx512f") &&
+                 __builtin_cpu_supports("avx512dq") &&
+                 __builtin_cpu_supports("avx512vl");
+    return path == 1 ? fma : fma && avx512;
+#else
+    return 0 * path;
+#endif
+}
+
+static int same(double x, double y)
+{
+    return memcmp(&x, &y, sizeof x) == 0 || (isnan(x) && isnan(y));
+}
+
+START_TEST(roots_are_the_same_on_every_path)
+{
+    roots *const kernels[2][3] = {PATHS(brink_quadratic_roots),
+                                  PATHS(brink_quadratic_roots_cr)};
+    for (int path = 1; path < 3 && can_try(path); path++)
+        for (int f = 0; f < QUADRATIC_FAMILIES; f++) {
+            stream s = {SEED};
+            quadratic_case q;
+            for (int i = 0; i < CASES_A_FAMILY; i++) {
+                quadratic_families[f].make(&s, &q);
+                for (int k = 0; k < 2; k++) {
+                    double x[2] = {0, 0}, y[2] = {0, 0};
+                    int m = kernels[k][0](q.a, q.b, q.c, &x[0], &x[1]);
+                    int n = kernels[k][path](q.a, q.b, q.c, &y[0], &y[1]);
+                    if (m != n || !same(x[0], y[0]) || !same(x[1], y[1]))
+                        ck_abort_msg("path %d, tier %d, %s %d: %a %a %a", path, k,
+                                     quadratic_families[f].name, i, q.a, q.b,
+                                     q.c);
+                }
+            }
+        }
+}
+END_TEST
+
+START_TEST(times_are_the_same_on_every_path)
+{
+    pair_time *const kernels[][3] = {
+        PATHS(brink_intersection_time),    PATHS(brink_intersection_time_fast),
+        PATHS(brink_intersection_time_cr), PATHS(brink_intersection_time_slow),
+        PATHS(brink_disjoint_time),        PATHS(brink_disjoint_time_fast),
+        PATHS(brink_disjoint_time_cr),     PATHS(brink_disjoint_time_slow),
+    };
+    wall_time *const wall[3] = PATHS(brink_halfspace_time);
+    for (int path = 1; path < 3 && can_try(path); path++)
+        for (int f = 0; f < PAIR_FAMILIES; f++) {
+            stream s = {SEED};
+            pair_case p, q;
+            for (int i = 0; i < CASES_A_FAMILY; i++) {
+                pair_families[f].make(&s, &p);
+                pair_families[f].make(&s, &q);
+                int good = same(wall[0](p.r, p.v, q.v, q.r),
+                                wall[path](p.r, p.v, q.v, q.r));
+                for (size_t k = 0; k < sizeof kernels / sizeof *kernels; k++)
+                    good = good && same(kernels[k][0](p.r, p.v, p.sigma),
+                                        kernels[k][path](p.r, p.v, p.sigma));
+                if (!good)
+                    ck_abort_msg("path %d, %s %d: %a %a %a  %a %a %a  %a", path,
+                                 pair_families[f].name, i, p.r[0], p.r[1], p.r[2],
+                                 p.v[0], p.v[1], p.v[2], p.sigma);
+            }
+        }
+}
+END_TEST
+
+START_TEST(batches_are_the_same_on_every_path)
+{
+    static double x[7][CASES_A_FAMILY], t[2][CASES_A_FAMILY];
+    times *const kernels[][3] = {
+        PATHS(brink_intersection_times), PATHS(brink_intersection_times_fast),
+        PATHS(brink_disjoint_times), PATHS(brink_disjoint_times_fast)};
+    for (int path = 1; path < 3 && can_try(path); path++)
+        for (int f = 0; f < PAIR_FAMILIES; f++) {
+            stream s = {SEED};
+            for (int i = 0; i < CASES_A_FAMILY; i++) {
+                pair_case p;
+                pair_families[f].make(&s, &p);
+                for (int k = 0; k < 3; k++) {
+                    x[k][i] = p.r[k];
+                    x[3 + k][i] = p.v[k];
+                }
+                x[6][i] = p.sigma;
+            }
+            for (size_t k = 0; k < sizeof kernels / sizeof *kernels; k++) {
+                kernels[k][0](CASES_A_FAMILY, x[0], x[1], x[2], x[3], x[4], x[5],
+                              x[6], t[0]);
+                kernels[k][path](CASES_A_FAMILY, x[0], x[1], x[2], x[3], x[4],
+                                 x[5], x[6], t[1]);
+                for (int i = 0; i < CASES_A_FAMILY; i++)
+                    if (!same(t[0][i], t[1][i]))
+                        ck_abort_msg(
+                            "path %d, tier %zu, %s %d: %a %a %a  %a %a %a  %a",
+                            path, k, pair_families[f].name, i, x[0][i], x[1][i],
+                            x[2][i], x[3][i], x[4][i], x[5][i], x[6][i]);
+            }
+        }
+}
+END_TEST
+
+START_TEST(impulses_are_the_same_on_every_path)
+{
+    step *const kernels[3] = PATHS(brink_step_impulse);
+    for (int path = 1; path < 3 && can_try(path); path++) {
+        stream s = {SEED};
+        for (int i = 0; i < CASES_A_FAMILY; i++) {
+            pair_case p;
+            family_contact(&s, &p);
+            double m1 = stream_real(&s, 1, 2), m2 = stream_scaled(&s, -30, 30),
+                   w[2];
+            double v1[2][3], v2[2][3] = {{0}};
+            memcpy(v1[0], p.v, sizeof p.v);
+            memcpy(v1[1], p.v, sizeof p.v);
+            double rise = stream_real(&s, -1, 1);
+            for (int k = 0; k < 2; k++)
+                kernels[k * path](p.r, m1, fabs(m2), rise, BRINK_INWARD, v1[k],
+                                  v2[k], &w[k]);
+            ck_assert(same(w[0], w[1]));
+            ck_assert(memcmp(v1[0], v1[1], sizeof v1[0]) == 0);
+            ck_assert(memcmp(v2[0], v2[1], sizeof v2[0]) == 0);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("isa", 600, roots_are_the_same_on_every_path,
+                     times_are_the_same_on_every_path,
+                     batches_are_the_same_on_every_path,
+                     impulses_are_the_same_on_every_path);
+}
