@@ -114,8 +114,8 @@ void chart_write_frame(const chart *g, const char *unit)
     fprintf(g->out, "set xrange [10**%g:10**%g]\nset xlabel 'error in %s'\n",
             g->left, g->end, unit);
     fprintf(g->out, "set xtics scale 1,0 (");
-    const int step = g->right < 9 ? 1 : 3;
-    for (int d = (int)g->left; d < g->right; d += d < 2 ? 1 : step)
+    const int is_wide = g->right - g->left > 9;
+    for (int d = is_wide ? 0 : (int)g->left; d < g->right; d += is_wide ? 3 : 1)
         if (d <= 3)
             fprintf(g->out, "'%g' 1e%d, ", pow(10, d), d);
         else

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # bench_check.sh ULP BENCH: both do what they say, on samples too small to tell much.
 # shellcheck source=tests/shell.sh
-. "$(dirname "$0")/shell.sh" "$1" "$2"
+. "$(dirname "$0")/shell.sh"
 ulp=$1
 bench=$2
 

@@ -137,10 +137,11 @@ char *bench_headline(const contest *c)
     if (out == NULL)
         return NULL;
     fprintf(out,
-            "%s. Wrong of %s answers: %s of brink’s, %s of those of “%s”, at %s "
-            "times the latter’s cost.",
+            "%s. Of %s answers brink was wrong in %s, “%s” in %s; brink costs %s "
+            "times "
+            "as much.",
             c->problem->title, brink_words_grouped((uint64_t)plain->all.n).text,
-            bench_wrong(plain).text, bench_wrong(&c->of[0]).text,
-            c->of[0].method->label, bench_ratio(plain->ratio).text);
+            bench_wrong(plain).text, c->of[0].method->label,
+            bench_wrong(&c->of[0]).text, bench_ratio(plain->ratio).text);
     return fclose(out) == 0 ? text : NULL;
 }
