@@ -30,24 +30,24 @@ typedef struct chart {
 } chart;
 
 /** 0, or -1 if memory is out; chart_end follows either way. */
-int chart_make(chart *, const contest *, int measure);
+int chart_make(chart *g, const contest *c, int measure);
 
 /** The script, to be freed; NULL if memory is out. */
-char *chart_end(chart *);
+char *chart_end(chart *g);
 
 /** Size, fonts, and the axis of errors. */
-void chart_write_frame(const chart *, const char *unit);
+void chart_write_frame(const chart *g, const char *unit);
 
 /** Labels of the wrong, or of the right ones: each at its mark's cost and `raise`
  * lines of text above, but no nearer to each other than a line. */
-void chart_spread(chart *, int wrong, double raise);
+void chart_spread(chart *g, int wrong, double raise);
 
 /** Things in the figure; every one has a tag of its own. */
-void chart_line(const chart *, int tag, double x, double y, double to_x,
+void chart_line(const chart *g, int tag, double x, double y, double to_x,
                 double to_y, const char *colour, const char *how);
-void chart_point(const chart *, int tag, double x, double y, const char *how,
+void chart_point(const chart *g, int tag, double x, double y, const char *how,
                  const char *colour);
 /** A mark's name and what follows it. */
-void chart_name(const chart *, int tag, double x, double y, const char *how,
-                const mark *, const char *rest);
+void chart_name(const chart *g, int tag, double x, double y, const char *how,
+                const mark *m, const char *rest);
 #endif

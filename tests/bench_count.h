@@ -11,5 +11,5 @@ int bench_count_all(uint64_t seed);
 
 /** The instructions a call of each method of a problem, NaN where not known, from
  * the file that instructions.sh wrote; NULL stands for no file. */
-void bench_count_read(const char *file, const problem *, double *instructions);
+void bench_count_read(const char *file, const problem *p, double *instructions);
 #endif

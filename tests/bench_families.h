@@ -4,5 +4,5 @@
 /** What the families of inputs are, as a section of the page. */
 #include "report.h"
 
-void bench_families(brink_report *);
+void bench_families(brink_report *r);
 #endif

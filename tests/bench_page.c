@@ -164,6 +164,7 @@ static void draw(brink_report *r, char *script, const problem *p,
                  const char *what, const char *caption)
 {
     char name[100];
+    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): the list has problems
     snprintf(name, sizeof name, "kernels-%s%s", p->name, what);
     if (script != NULL)
         brink_report_figure(r, name, caption, script);

@@ -15,5 +15,5 @@ typedef struct bench_settings {
 
 /** Measures all there is and writes the page.  0, or -1 after a word to stderr.
  */
-int bench_page(const bench_settings *);
+int bench_page(const bench_settings *s);
 #endif

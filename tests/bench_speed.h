@@ -12,9 +12,9 @@ typedef struct speed {
 } speed;
 
 int bench_speed_lines(void);
-const char *bench_speed_kernel(int line);
+const char *bench_speed_kernel(int which);
 
 /** Measures a line for so many seconds.  1, or 0 where this machine has not got
  * the instructions, or -1 if memory is out. */
-int bench_speed_measure(int line, uint64_t seed, double seconds, speed *);
+int bench_speed_measure(int which, uint64_t seed, double seconds, speed *s);
 #endif

@@ -10,7 +10,7 @@ brink_words bench_error(double ulps);
 
 /** How many of all its answers were wrong: "17 %", "0.02 %", "3 of 120 000",
  * "none". */
-brink_words bench_wrong(const standing *);
+brink_words bench_wrong(const standing *s);
 
 /** A part of a whole: 17 %, 0.0083 %. */
 brink_words bench_percent(double part);
@@ -19,8 +19,8 @@ brink_words bench_percent(double part);
 brink_words bench_ratio(double ratio);
 
 /** What one sees in a contest, to be freed; NULL: no memory. */
-char *bench_sentences(const contest *);
+char *bench_sentences(const contest *c);
 
 /** The same in one sentence. */
-char *bench_headline(const contest *);
+char *bench_headline(const contest *c);
 #endif

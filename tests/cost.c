@@ -44,7 +44,8 @@ static runner runner_make(loop *l, const inputs *in, answers *out)
     const inputs few = part_of(in, 0, FEWEST);
     l(&few, out); // what is done once only
     const double one = seconds_of(l, &few, out) / FEWEST;
-    r.n = (int)fmax(FEWEST, fmin(in->n / PARTS, TURN / one));
+    const int part_size = in->n / PARTS;
+    r.n = (int)fmax(FEWEST, fmin(part_size, TURN / one));
     for (int part = 0; part < PARTS; part++)
         r.best[part] = (double)INFINITY;
     return r;

@@ -18,6 +18,6 @@ enum { COST_INPUTS = 65536 };
  * others is what is left of the truth.  Slow loops take fewer inputs of each
  * part.  0, or -1 if memory is out.
  */
-int cost_compare(int count, loop *const loops[], const inputs *, answers *,
+int cost_compare(int count, loop *const loops[], const inputs *in, answers *out,
                  double seconds, double *ns);
 #endif

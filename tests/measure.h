@@ -17,17 +17,17 @@ typedef struct sample {
 
 /** Methods first to first + methods - 1 over n cases of a family; a sample each.
  * 0, or -1 if memory is out. */
-int measure(const problem *, int first, int methods, int family, int n,
-            uint64_t seed, sample *);
-void measure_free(sample *);
+int measure(const problem *p, int first, int methods, int family, int n,
+            uint64_t seed, sample *s);
+void measure_free(sample *s);
 
 /** Many samples as one, but for the worst cases.  0, or -1 if memory is out. */
-int measure_pool(sample *all, int count, const sample *);
+int measure_pool(sample *all, int count, const sample *s);
 
 /** The error that a part q of those measured does not exceed; 0 if there are
  * none. */
-double measure_quantile(const sample *, int measure, double q);
+double measure_quantile(const sample *s, int measure, double q);
 
 /** All wrong answers. */
-int measure_wrong(const sample *);
+int measure_wrong(const sample *s);
 #endif

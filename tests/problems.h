@@ -24,7 +24,7 @@ typedef struct answers {
 } answers;
 
 /** A kernel called on all inputs, directly, so that the loop can be timed. */
-typedef void loop(const inputs *, answers *);
+typedef void loop(const inputs *in, answers *out);
 
 /** A real number to 128 bits, the double nearest to it, and the exponent of the
  * unit in the last place of its binade. */
@@ -110,18 +110,18 @@ extern const problem *const problems[];
 extern const int problem_count;
 
 /** The family of this name, or -1. */
-int problem_family(const problem *, const char *name);
+int problem_family(const problem *p, const char *name);
 
 /** Looks a method up by its name; NULL, or its problem, and its place in *k. */
 const problem *problem_of(const char *name, int *k);
 
 /** The first n inputs of a family that follow from a seed; NULL: no memory. */
-inputs *inputs_make(const problem *, int family, int n, uint64_t seed);
-void inputs_free(inputs *);
+inputs *inputs_make(const problem *p, int family, int n, uint64_t seed);
+void inputs_free(inputs *in);
 answers *answers_make(int n);
-void answers_free(answers *);
+void answers_free(answers *a);
 
-void real_from(real *, const mpfr_t);
+void real_from(real *x, const mpfr_t exact);
 
 /**
  * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024,

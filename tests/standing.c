@@ -72,14 +72,6 @@ void contest_free(contest *c)
     free(c->of);
 }
 
-int contest_never_wrong(const contest *c)
-{
-    int count = 0;
-    for (int k = 0; k < c->problem->methods; k++)
-        count += measure_wrong(&c->of[k].all) == 0;
-    return count;
-}
-
 double standing_wrong(const standing *s)
 {
     return (double)measure_wrong(&s->all) / s->all.n;

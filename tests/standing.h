@@ -19,19 +19,16 @@ typedef struct contest {
 
 /** Measures all methods of a problem: `cases` a family, `seconds` for all costs.
  * 0, or -1 if memory is out. */
-int contest_hold(contest *, const problem *, int cases, uint64_t seed,
+int contest_hold(contest *c, const problem *p, int cases, uint64_t seed,
                  double seconds);
-void contest_free(contest *);
-
-/** How many of the methods were never wrong. */
-int contest_never_wrong(const contest *);
+void contest_free(contest *c);
 
 /** What part of its answers were wrong. */
-double standing_wrong(const standing *);
+double standing_wrong(const standing *s);
 
 /** Its largest error by a measure, wrong answers included. */
-double standing_max(const standing *, int measure);
+double standing_max(const standing *s, int measure);
 
 /** What part of what was measured is farther off than x. */
-double standing_above(const standing *, int measure, double x);
+double standing_above(const standing *s, int measure, double x);
 #endif
