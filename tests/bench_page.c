@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench_page.h"
-#include "bench_count.h"
 #include "bench_families.h"
 #include "bench_plots.h"
-#include "bench_speed.h"
+#include "bench_tables.h"
 #include "bench_words.h"
-#include "cost.h"
-#include "problems_all.h"
 #include "report.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -15,141 +12,9 @@
 #include <sys/utsname.h>
 
 enum {
-    COLUMNS = 24,
     MAIN = 3, // the problems with all there is to them
     HERO = 1  // the one that the page begins with
 };
-
-// --- Tables --------------------------------------------------------------------
-
-typedef struct columns {
-    int count;
-    const char *head[COLUMNS];
-    char align[COLUMNS];
-} columns;
-
-static void add_column(columns *c, const char *head)
-{
-    c->align[c->count] = c->count == 0 ? 'l' : 'r';
-    c->head[c->count++] = head;
-}
-
-static int is_seen(const contest *c, int kind)
-{
-    int seen = 0;
-    for (int k = 0; k < c->problem->methods; k++)
-        seen |= c->of[k].all.wrong[kind] > 0;
-    return seen;
-}
-
-static void put_count(brink_report *r, int count)
-{
-    if (count == 0)
-        brink_report_cell(r, "·");
-    else
-        brink_report_cell(r, "%s", brink_words_grouped((uint64_t)count).text);
-}
-
-static void put_errors(brink_report *r, const standing *s, int measure)
-{
-    static const double parts[] = {0.5, 1};
-    for (int k = measure == 0 ? 0 : 1; k < 2; k++)
-        if (s->method->rank == RANK_SIGN)
-            brink_report_cell(r, " ");
-        else
-            brink_report_cell(
-                r, "%s",
-                bench_error(measure_quantile(&s->all, measure, parts[k])).text);
-}
-
-/** Cost, errors, and what was wrong, a line a way. */
-static void write_summary(brink_report *r, const contest *c, const char *file)
-{
-    const problem *p = c->problem;
-    columns head = {0};
-    double instructions[64];
-    char caption[400];
-    bench_count_read(file, p, instructions);
-    snprintf(caption, sizeof caption,
-             "%s cases. Cost, a multiple of the first line's, and instructions a "
-             "call, on %s input; errors in %s%s%s.",
-             brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual,
-             p->measure[0], p->measure[1] != NULL ? "; gaps in " : "",
-             p->measure[1] != NULL ? p->measure[1] : "");
-    for (const char *const *h =
-             (const char *const[]){"", "cost", "instr.", "median", "worst", NULL};
-         *h != NULL; h++)
-        add_column(&head, *h);
-    if (p->measure[1] != NULL)
-        add_column(&head, "gap");
-    for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
-        if (is_seen(c, k))
-            add_column(&head, problem_wrong_names[k]);
-    brink_report_table(r, caption, head.count, head.align, head.head);
-    for (int k = 0; k < p->methods; k++) {
-        const standing *s = &c->of[k];
-        brink_report_cell(r, "%s", s->method->label);
-        brink_report_cell(r, "%s", bench_ratio(s->ratio).text);
-        if (isnan(instructions[k]))
-            brink_report_cell(r, " ");
-        else
-            brink_report_cell(
-                r, "%s",
-                brink_words_grouped((uint64_t)(instructions[k] + 0.5)).text);
-        put_errors(r, s, 0);
-        if (p->measure[1] != NULL)
-            put_errors(r, s, 1);
-        for (int w = WRONG_NOT + 1; w < WRONG_KINDS; w++)
-            if (is_seen(c, w))
-                put_count(r, s->all.wrong[w]);
-    }
-    brink_report_table_end(r);
-}
-
-/** Whether a method has a column among the wrong: ours always. */
-static int is_worth_telling(const standing *s)
-{
-    return s->method->rank < RANK_FORMULA || measure_wrong(&s->all) > 0;
-}
-
-/** Wrong answers, a line a family. */
-static void write_families(brink_report *r, const contest *c)
-{
-    const problem *p = c->problem;
-    columns head = {0};
-    char caption[300];
-    snprintf(caption, sizeof caption,
-             "Wrong answers, of %s in each family of inputs. Who has no column "
-             "was never wrong.",
-             brink_words_grouped((uint64_t)c->of[0].family[0].n).text);
-    add_column(&head, "family");
-    for (int k = 0; k < p->methods; k++)
-        if (is_worth_telling(&c->of[k]))
-            add_column(&head, c->of[k].method->label);
-    brink_report_table(r, caption, head.count, head.align, head.head);
-    for (int f = 0; f < p->families; f++) {
-        brink_report_cell(r, "%s", p->family(f));
-        for (int k = 0; k < p->methods; k++)
-            if (is_worth_telling(&c->of[k]))
-                put_count(r, measure_wrong(&c->of[k].family[f]));
-    }
-    brink_report_table_end(r);
-}
-
-static void write_ways(brink_report *r, const problem *p)
-{
-    columns head = {0};
-    add_column(&head, "");
-    add_column(&head, "what it does");
-    head.align[1] = 'l';
-    brink_report_table(r, "The ways to an answer.", head.count, head.align,
-                       head.head);
-    for (int k = 0; k < p->methods; k++) {
-        brink_report_cell(r, "%s", p->method[k].label);
-        brink_report_cell(r, "%s", p->method[k].about);
-    }
-    brink_report_table_end(r);
-}
 
 // --- Sections ------------------------------------------------------------------
 
@@ -164,7 +29,6 @@ static void draw(brink_report *r, char *script, const problem *p,
                  const char *what, const char *caption)
 {
     char name[100];
-    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): the list has problems
     snprintf(name, sizeof name, "kernels-%s%s", p->name, what);
     if (script != NULL)
         brink_report_figure(r, name, caption, script);
@@ -200,9 +64,9 @@ static void write_contest(brink_report *r, const contest *c, const char *counts)
              "The same, measured by what it means: how far from where it should "
              "be the pair is at the time that was answered, in roundings of its "
              "path.");
-    write_summary(r, c, counts);
-    write_families(r, c);
-    write_ways(r, p);
+    bench_write_summary(r, c, counts);
+    bench_write_families(r, c);
+    bench_write_ways(r, p);
 }
 
 static void write_minor(brink_report *r, const contest *c, const char *counts)
@@ -210,7 +74,7 @@ static void write_minor(brink_report *r, const contest *c, const char *counts)
     brink_report_heading(r, 3, "%s", c->problem->title);
     brink_report_paragraph(r, "%s", c->problem->about);
     draw_scatter(r, c);
-    write_summary(r, c, counts);
+    bench_write_summary(r, c, counts);
 }
 
 static void write_beginning(brink_report *r, const contest *c)
@@ -258,45 +122,6 @@ static void write_beginning(brink_report *r, const contest *c)
            "is none of these.");
 }
 
-static void write_speed(brink_report *r, const bench_settings *s)
-{
-    columns head = {0};
-    brink_report_heading(r, 2, "What was asked, and what is measured");
-    brink_report_paragraph(
-        r,
-        "Each line a kernel on a family of inputs, beside its baseline in the "
-        "same process, taking turns over %d inputs, more than a processor's "
-        "branch prediction can learn by heart. A batch answers many pairs at a "
-        "time and is set beside the scalar loop of its baseline.",
-        COST_INPUTS);
-    for (const char *const *h =
-             (const char *const[]){"kernel", "inputs", "beside", "ns", "its ns",
-                                   "ratio", "asked: at most", "", NULL};
-         *h != NULL; h++)
-        add_column(&head, *h);
-    head.align[1] = head.align[2] = head.align[7] = 'l';
-    brink_report_table(r, "Nanoseconds a call, and the ratio.", head.count,
-                       head.align, head.head);
-    for (int k = 0; k < bench_speed_lines(); k++) {
-        speed of;
-        const int here = bench_speed_measure(k, s->seed, s->seconds / 4, &of);
-        const double ratio = of.ns / of.baseline_ns;
-        brink_report_cell(r, "%s", of.kernel);
-        brink_report_cell(r, "%s", of.family);
-        brink_report_cell(r, "%s", of.baseline);
-        brink_report_cell(r, here > 0 ? "%.2f" : "–", of.ns);
-        brink_report_cell(r, here > 0 ? "%.2f" : "–", of.baseline_ns);
-        brink_report_cell(r, here > 0 ? "%.2f" : "–", ratio);
-        brink_report_cell(r, of.at_most > 0 ? "%g" : " ", of.at_most);
-        brink_report_cell(r, "%s",
-                          here <= 0            ? "not here"
-                          : of.at_most == 0    ? ""
-                          : ratio > of.at_most ? "over"
-                                               : "kept");
-    }
-    brink_report_table_end(r);
-}
-
 /** The processor's name, if the system tells it. */
 static void find_processor(char *name, size_t size)
 {
@@ -340,34 +165,39 @@ static void write_end(brink_report *r, const bench_settings *s)
            "Floating-Point Arithmetic.");
 }
 
+static void write_page(brink_report *r, const contest c[PROBLEMS],
+                       const bench_settings *s)
+{
+    write_beginning(r, c);
+    for (int k = 0; k < MAIN; k++)
+        write_contest(r, &c[k], s->instructions);
+    bench_families(r);
+    brink_report_heading(r, 2, "The further kernels");
+    for (int k = MAIN; k < PROBLEMS; k++)
+        write_minor(r, &c[k], s->instructions);
+    fprintf(stderr, "bench: what was asked\n");
+    bench_write_speed(r, s->seed, s->seconds / 4);
+    write_end(r, s);
+}
+
 int bench_page(const bench_settings *s)
 {
     brink_report r;
+    contest c[PROBLEMS];
     int failed = 0;
-    contest *c = calloc((size_t)problem_count, sizeof *c);
-    for (int k = 0; c != NULL && k < problem_count; k++) {
+    for (int k = 0; k < PROBLEMS; k++) {
+        const int cases = k < MAIN ? s->cases : (s->cases + 4) / 5;
         fprintf(stderr, "bench: %s\n", problems[k]->title);
-        failed |= contest_hold(&c[k], problems[k],
-                               k < MAIN ? s->cases : (s->cases + 4) / 5, s->seed,
-                               s->seconds);
+        failed |= contest_hold(&c[k], problems[k], cases, s->seed, s->seconds);
     }
-    if (c == NULL || failed) {
+    if (failed) {
         fprintf(stderr, "bench: no memory for %d cases\n", s->cases);
-        return -1;
+    } else {
+        brink_report_open_page(&r, s->out, "kernels", "Speed against error");
+        write_page(&r, c, s);
+        failed = brink_report_close(&r, stderr);
     }
-    brink_report_open_page(&r, s->out, "kernels", "Speed against error");
-    write_beginning(&r, c);
-    for (int k = 0; k < MAIN; k++)
-        write_contest(&r, &c[k], s->instructions);
-    bench_families(&r);
-    brink_report_heading(&r, 2, "The further kernels");
-    for (int k = MAIN; k < problem_count; k++)
-        write_minor(&r, &c[k], s->instructions);
-    fprintf(stderr, "bench: what was asked\n");
-    write_speed(&r, s);
-    write_end(&r, s);
-    for (int k = 0; k < problem_count; k++)
+    for (int k = 0; k < PROBLEMS; k++)
         contest_free(&c[k]);
-    free(c);
-    return brink_report_close(&r, stderr);
+    return failed;
 }

@@ -49,8 +49,10 @@ START_TEST(ends_of_the_range_are_errors_like_any_other)
     const real largest = real_of(DBL_MAX), least = real_of(0x1p-1074);
     ck_assert(real_ulps(infinite, &largest) == 1);
     ck_assert(real_ulps(0, &least) == 1);
-    ck_assert(real_ulps(infinite, &(real){infinite, 0, infinite, -1074}) == 0);
-    ck_assert(isinf(real_ulps(1, &(real){infinite, 0, infinite, -1074})));
+    ck_assert(real_ulps(infinite,
+                        &(real){(long double)infinite, 0, infinite, -1074}) == 0);
+    ck_assert(
+        isinf(real_ulps(1, &(real){(long double)infinite, 0, infinite, -1074})));
     ck_assert(isinf(real_ulps((double)NAN, &least)));
     ck_assert(!real_is_spurious(0, &least));
     ck_assert(real_is_spurious(0, &largest));
@@ -59,7 +61,8 @@ END_TEST
 
 START_TEST(what_is_wrong_is_called_by_its_name)
 {
-    const real never = {infinite, 0, infinite, -1074}, now = {0, 0, 0, -1074};
+    const real never = {(long double)infinite, 0, infinite, -1074},
+               now = {0, 0, 0, -1074};
     const real later = real_of(2);
     ck_assert_int_eq(problem_judge_time(&later, infinite).wrong, WRONG_MISSED);
     ck_assert_int_eq(problem_judge_time(&never, 2).wrong, WRONG_INVENTED);
@@ -145,7 +148,7 @@ END_TEST
 
 START_TEST(names_are_of_one_method_each)
 {
-    for (int i = 0; i < problem_count; i++)
+    for (int i = 0; i < PROBLEMS; i++)
         for (int k = 0; k < problems[i]->methods; k++) {
             int found;
             ck_assert_ptr_eq(problem_of(problems[i]->method[k].name, &found),
@@ -157,7 +160,7 @@ END_TEST
 
 START_TEST(every_method_of_ours_keeps_its_promise)
 {
-    for (int i = 0; i < problem_count; i++)
+    for (int i = 0; i < PROBLEMS; i++)
         for (int f = 0; f < problems[i]->families; f++)
             for (int k = 0; k < problems[i]->methods; k++) {
                 const method *m = &problems[i]->method[k];
