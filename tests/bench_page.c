@@ -150,13 +150,13 @@ static void write_end(brink_report *r, const bench_settings *s)
                           BRINK_VERSION, BRINK_COMPILER, processor, u.machine);
     brink_report_paragraph(
         r,
-        "%d cases of each family, a fifth of that for the further kernels, from "
+        "%s cases of each family, a fifth of that for the further kernels, from "
         "seed %" PRIu64
         ". Times are the shortest of many turns that the ways take in one "
         "process; instructions are callgrind's, the loop around the call "
         "included, on the path that it can run: AVX2, not AVX-512. `ulp KERNEL "
         "FAMILY` measures one kernel on one family, and prints the worst inputs.",
-        s->cases, s->seed);
+        brink_words_grouped((uint64_t)s->cases).text, s->seed);
     brink_report_paragraph(
         r, "[S16] is S. Strobl, M. N. Bannerman and T. Pöschel, Stable algorithm "
            "for event detection in event-driven particle dynamics: logical "
