@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The door is at the end here: no condition under which a fast path answers holds
-// for an input that is not finite or out of range, and the slow paths look for
-// those first.
-#include "isa.h"
+// The door is at the end here: no condition under
+// which a fast path answers holds for an input that is not finite or out of
+// range, and the slow paths look for those first.
+#include "path.h"
 
 #include "event_time.h"
 #include "event_time_lanes.h"
 
-// --- Plain
-// ---------------------------------------------------------------------------
+// --- Plain ---------------------------------------------------------------------
+
+/** Of a pair that approaches and is touching; -1 where it is not certain. */
+BRINK_INLINE double touching_time(const double r[3], const double v[3],
+                                  double sigma)
+{
+    sums m = sums_in_lanes(r, v, sigma);
+    double a = dot_rounded(v, v), t = meeting_time_touching(&m, a, 1);
+    if (t < 0 && !is_known(sum_of(m.c), 8 * m.c_error)) { // on the surface
+        look_closer(&m, r, sigma);
+        t = meeting_time_touching(&m, a, 1);
+    }
+    return t;
+}
 
 double brink_intersection_time(const double r[3], const double v[3], double sigma)
 {
@@ -17,10 +29,13 @@ double brink_intersection_time(const double r[3], const double v[3], double sigm
         if (is_positive(b))
             return (double)INFINITY;
         if (is_negative(b)) {
+            double t = is_touching(r, sigma) ? touching_time(r, v, sigma) : -1;
+            if (t >= 0)
+                return t;
             if (passes_by(chord_of(r, v, sigma)))
                 return (double)INFINITY;
             sums m = sums_in_lanes(r, v, sigma);
-            double t = meeting_time(&m, dot_of(v, v), 1);
+            t = meeting_time(&m, dot_of(v, v), 1);
             if (t >= 0)
                 return t;
         }
@@ -39,33 +54,36 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
             return -sum_of(dot_of(r, v)) /
                    dot_rounded(v, v); // as parting_time has it
         sums m = sums_in_lanes(r, v, sigma);
-        double t = parting_time(&m, dot_rounded(v, v), b, 0);
+        double a = dot_rounded(v, v), t = parting_time(&m, a, b, 0);
+        if (t < 0 && !is_known(-sum_of(m.c), m.c_error)) { // on the surface
+            look_closer(&m, r, sigma);
+            t = parting_time(&m, a, b, 0);
+        }
         if (t >= 0)
             return t;
     }
     return brink_disjoint_time_slow(r, v, sigma);
 }
 
-// --- Fast
-// ----------------------------------------------------------------------------
+// --- Fast ----------------------------------------------------------------------
 
 double brink_intersection_time_fast(const double r[3], const double v[3],
                                     double sigma)
 {
-    double b = dot_rounded(r, v);
-    if (is_in_range(b) && sigma_in_range(sigma))
-        return (double)INFINITY;
-    double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
+    double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
     chord k = chord_of(r, v, sigma);
     if (!(are_in_range(k.a, rr, ss) && sigma > 0))
         return brink_intersection_time_slow(r, v, sigma);
     if (b >= 0)
         return (double)INFINITY;
+    double c = rr - ss;
     if (c <= 0)
         return 0;
+    double sum = sqrt(k.d > 0 ? k.d : 0) - b; // begun before its need is known
+    if (k.d > 0x1p-40 * k.s)                  // away from the rim
+        return c / sum;
     if (k.d <= 0)
         return (double)INFINITY;
-    double sum = sqrt(k.d) - b;
     return is_too_late(b, c, k, sum) ? -b / k.a : c / sum;
 }
 
@@ -85,37 +103,52 @@ double brink_disjoint_time_fast(const double r[3], const double v[3],
     return brink_disjoint_time_slow(r, v, sigma);
 }
 
-// --- Correctly rounded
-// ---------------------------------------------------------------
+// --- Correctly rounded ---------------------------------------------------------
 
-/** a, b, c with |lo| <= u |hi|. */
+/** a, b, c to 11u^2 of their terms' sizes, c to 2^-74 of itself; sqrt(d) + |b| to
+ *  2^-78 of itself, if d is large enough for that. */
 typedef struct fine_sums {
-    dd a, b, c;
-    double size;
+    dd a, b, c, sum;
+    int c_sign, is_fine; // c_sign is 0 where it is not certain
 } fine_sums;
 
+/**
+ * Twice what discriminant_of carries: no rounding of d is left, which was off by
+ * 150u^2 Q.  Where d > 2^-20 Q that is 2^-78 of d; the square root halves it, and
+ * adds a few u^2 like the sum.
+ */
 BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
                                     double sigma)
 {
     sums m = sums_in_lanes(r, v, sigma);
-    dd a = dot_of(v, v);
-    return (fine_sums){two_sum(a.hi, a.lo), two_sum(m.b.hi, m.b.lo),
-                       two_sum(m.c.hi, m.c.lo), m.size};
+    if (!is_known(fabs(sum_of(m.c)), 0x1p25 * m.c_error))
+        look_closer(&m, r, sigma);
+    dd a = dot_of(v, v), b = m.b, c = two_sum(m.c.hi, m.c.lo);
+    dd p = two_prod(b.hi, b.hi), q = two_prod(a.hi, c.hi);
+    dd high = two_sum(p.hi, -q.hi);
+    double low = fma(a.hi, c.lo, a.lo * c.hi);
+    low = high.lo + fma(2 * b.hi, b.lo, (p.lo - q.lo) - low);
+    double d = high.hi + low, least = fma(0x1p-20 * a.hi, m.size, 0x1p-800);
+    int is_fine = a.hi > 0x1p-800 && d > least;
+    int c_sign =
+        is_known(c.hi, 0x1p25 * m.c_error) - is_known(-c.hi, 0x1p25 * m.c_error);
+
+    double root = sqrt(is_fine ? d : 1);
+    double root_low = (fma(-root, root, high.hi) + low) * (0.5 / root);
+    dd sum = two_sum(root, fabs(b.hi));
+    sum.lo += root_low + copysign(1, b.hi) * b.lo;
+    return (fine_sums){a, b, c, sum, c_sign, is_fine};
 }
 
-/** d where it is larger than 2^-20 Q, otherwise 0; error <= 2^-79 of it: 5u^2 Q
- * for either product, 32u^2 Q for what a, b, c are off. */
-BRINK_INLINE dd fine_discriminant(const fine_sums *m)
+/** x / y rounded, to 2^-74; or -1 where that cannot be told, or has not all its
+ * bits. */
+BRINK_INLINE double quotient_told(dd x, dd y)
 {
-    dd d = dd_add(dd_mul(m->b, m->b), dd_negate(dd_mul(m->a, m->c)));
-    double least = fma(0x1p-20 * m->a.hi, m->size, 0x1p-800);
-    return m->a.hi > 0x1p-800 && d.hi > least ? d : (dd){0, 0};
-}
-
-/** t rounded; or -1 where that cannot be told, or t has not all its bits. */
-BRINK_INLINE double rounded(dd t)
-{
-    return is_told(t) && t.hi > 0x1p-900 && t.hi < 0x1p900 ? t.hi : -1;
+    double inverse = 1 / y.hi, t = x.hi * inverse; // the residual puts it right
+    double residual = fma(-t, y.hi, x.hi) + fma(-t, y.lo, x.lo);
+    dd told = fast_two_sum(t, residual * inverse);
+    return is_told(told) && told.hi > 0x1p-800 && told.hi < 0x1p800 ? told.hi
+                                                                    : -1;
 }
 
 double brink_intersection_time_cr(const double r[3], const double v[3],
@@ -129,13 +162,10 @@ double brink_intersection_time_cr(const double r[3], const double v[3],
             if (passes_by(chord_of(r, v, sigma)))
                 return (double)INFINITY;
             fine_sums m = fine_sums_of(r, v, sigma);
-            if (m.c.hi < -0x1p-102 * m.size)
+            if (m.c_sign < 0)
                 return 0;
-            // c is off by 11u^2 R <= 2^-74 c
-            dd d = fine_discriminant(&m),
-               sum = dd_add(dd_sqrt(d), dd_negate(m.b));
-            double t = rounded(dd_div(m.c, sum));
-            if (m.c.hi > 0x1p-28 * m.size && d.hi > 0 && t > 0)
+            double t = m.is_fine && m.c_sign > 0 ? quotient_told(m.c, m.sum) : -1;
+            if (t > 0)
                 return t;
         }
     }
@@ -146,22 +176,22 @@ double brink_disjoint_time_cr(const double r[3], const double v[3], double sigma
 {
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
-        if (is_far_outside(r, sigma)) {
-            if (is_positive(b))
-                return 0;
-        }
-        fine_sums m = fine_sums_of(r, v, sigma);
+        int outside = is_far_outside(r, sigma);
+        if (outside && is_positive(b))
+            return 0;
         double t = -1;
-        if (is_negative(b) && passes_by(chord_of(r, v, sigma))) {
-            if (b.value <
-                -0x1p31 * b.error) // |b| > 2^-20 P, so 7u^2 P are not much
-                t = rounded(dd_div(dd_negate(m.b), m.a));
+        if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma))) {
+            dd fine = dot_of(r, v); // |b| > 2^-20 P: 7u^2 P are not much
+            if (b.value < -0x1p31 * b.error)
+                t = quotient_told(dd_negate(two_sum(fine.hi, fine.lo)),
+                                  dot_of(v, v));
         } else {
-            dd d = fine_discriminant(&m), root = dd_sqrt(d);
-            if (d.hi > 0 && (is_negative(b) || m.c.hi < -0x1p-28 * m.size))
-                t = rounded(m.b.hi > 0
-                                ? dd_div(dd_negate(m.c), dd_add(root, m.b))
-                                : dd_div(dd_add(root, dd_negate(m.b)), m.a));
+            fine_sums m = fine_sums_of(r, v, sigma);
+            if (m.c_sign > 0 && is_positive(b))
+                return 0;
+            if (m.is_fine && (is_negative(b) || m.c_sign < 0))
+                t = m.b.hi > 0 ? quotient_told(dd_negate(m.c), m.sum)
+                               : quotient_told(m.sum, m.a);
         }
         if (t > 0)
             return t;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A wall is met at f / -f', f = n.(r - c), f' = n.v: see event_time.h.  u =
-// 2^-53.
-#include "isa.h"
+// A wall is met at f / -f', f = n.(r - c), f' = n.v:
+// see event_time.h.  u = 2^-53.
+#include "path.h"
 
 #include "event_time.h"
 #include "root.h"

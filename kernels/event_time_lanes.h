@@ -2,8 +2,8 @@
 #ifndef BRINK_EVENT_TIME_LANES_H
 #define BRINK_EVENT_TIME_LANES_H
 /** Two doubles that go through the same arithmetic: a third less work for one
- * pair; not installed. */
-#include "event_time_flight.h"
+ *  pair; not installed. */
+#include "event_time_sums.h"
 #ifdef __FMA__
 #include <immintrin.h>
 #endif
@@ -42,6 +42,7 @@ BRINK_INLINE sums sums_in_lanes(const double r[3], const double v[3],
     two_lanes s = p[0] + p[1], t = s + p[2], w = t + p[3];
     two_lanes lost = lanes_lost(s, p[0], p[1]) + lanes_lost(t, s, p[2]);
     lost = ((e[0] + e[1]) + (e[2] + e[3])) + (lost + lanes_lost(w, t, p[3]));
-    return (sums){{w[0], lost[0]}, {w[1], lost[1]}, t[1] - q.hi};
+    double size = t[1] - q.hi;
+    return (sums){{w[0], lost[0]}, {w[1], lost[1]}, 0x1.8p-104 * size, size};
 }
 #endif

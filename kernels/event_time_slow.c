@@ -2,9 +2,9 @@
 // Where the fast paths were not certain: the domain, scaling by powers of two,
 // double- double, and exact numbers for the rest.  The answers are correctly
 // rounded.
-#include "isa.h"
+#include "path.h"
 
-#include "event_time_flight.h"
+#include "event_time_sums.h"
 #include "root.h"
 
 static int in_domain(const double r[3], const double v[3], double sigma)
@@ -81,21 +81,6 @@ static int certain_sign(double x, double error)
     return x > error ? 1 : x < -error ? -1 : 2;
 }
 
-/** c = sum of four products, exactly up to the last additions: the sum of the
- * leading parts in four doubles without error, so what is rounded is u smaller
- * than R. */
-BRINK_INLINE dd fine_difference(const double r[3], double sigma)
-{
-    dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]),
-       z = two_prod(r[2], r[2]);
-    dd q = two_prod(-sigma, sigma);
-    dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
-    dd rest = two_sum(x.lo, y.lo);
-    rest = dd_add_d(dd_add_d(rest, z.lo), q.lo);
-    rest = dd_add_d(dd_add_d(rest, s.lo), t.lo);
-    return dd_add_d(dd_add_d(rest, w.lo), w.hi); // error <= 2u^2 |c| + 2^-150 R
-}
-
 BRINK_INLINE dd fine_dot(const double x[3], const double y[3])
 {
     dd xy = dd_add(two_prod(x[0], y[0]), two_prod(x[1], y[1]));
@@ -116,7 +101,7 @@ BRINK_INLINE fine_path fine_path_of(const double r0[3], const double v0[3],
     f.unit = er - ev;
     f.a = fine_dot(v, v);
     f.b = fine_dot(r, v);
-    f.c = fine_difference(r, sigma);
+    f.c = fine_c(r, sigma);
     dd w = {0, 0};
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -3,7 +3,7 @@
 // the header are those of that last rounding.  With k1 = m2 / (m1 + m2), k2 = m1
 // / (m1 + m2):
 //     v1' = v1 + k1 (b' - b) / (r.r) r,    v2' = v2 - k2 (b' - b) / (r.r) r.
-#include "isa.h"
+#include "path.h"
 
 #include "dyadic.h"
 #include "impulse.h"

@@ -14,7 +14,7 @@
 
 /** Bound of the pair energy's error in ulp of the larger kinetic energy, and
  *  of the pair momentum's in ulp of the larger |m v|, before or after; for
- *  masses up to 1e12 apart. That is the last rounding of either velocity and
+ *  masses up to 1e12 apart.  That is the last rounding of either velocity and
  *  no more. */
 #define BRINK_IMPULSE_ENERGY_ULP   4
 #define BRINK_IMPULSE_MOMENTUM_ULP 2

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All of it is two expressions, the ball's and the plane's: a rate is a plane's
-// distance with the velocity for a normal.  Each is written down twice, in
-// double-double with the size of its terms and in dyadics.
+// All of it is two expressions, the ball's and the
+// plane's: a rate is a plane's distance with the velocity for a normal.  Each is
+// written down twice, in double-double with the size of its terms and in dyadics.
 #include "overlap.h"
 #include "dyadic.h"
 
@@ -36,7 +36,7 @@ static dd place(const scene *s, int i, double *size)
     return dd_add(start, step);
 }
 
-// --- |r + v t|^2 - sigma^2 -------------------------------------------------
+// --- |r + v t|^2 - sigma^2 -----------------------------------------------------
 
 static estimate ball_estimate(const scene *s)
 {
@@ -70,7 +70,7 @@ static void ball_exact(brink_dyadic *f, const scene *s)
 
 static const expression ball = {ball_estimate, ball_exact};
 
-// --- n.(r + v t - c) -------------------------------------------------------
+// --- n.(r + v t - c) -----------------------------------------------------------
 
 static estimate plane_estimate(const scene *s)
 {
@@ -99,7 +99,7 @@ static void plane_exact(brink_dyadic *f, const scene *s)
 
 static const expression plane = {plane_estimate, plane_exact};
 
-// --- Value and sign --------------------------------------------------------
+// --- Value and sign ------------------------------------------------------------
 
 /** Of a number that is not 0: its sign bit. */
 static int sign_of(double x)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // u = 2^-53; error bounds are relative and to first order.
-#include "isa.h"
+#include "path.h"
 
 #include "quadratic.h"
 #include "root.h"
@@ -18,11 +18,13 @@ BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
  *
  * The error, with w = sqrt(d) / |s|: d's is halved by the root, which adds 1u,
  * all times w; the sum adds 1u; the quotient half an ulp.
- *   a c > 0: d = (h^2 - q.hi) - q.lo, off by 2u (Kahan), so its sign is right;
- *            w <= 1/2: at most 2u before the quotient
- *   a c < 0: d = (h^2 - q.lo) - q.hi, off by u (k^2 + 1) where
- *            k = |h| / sqrt(d) < 1, and w = 1 / (1 + k): at most
- *            u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u before it
+ *   a c > 0: d = (h^2 - q.hi) - q.lo, off by 2u (Kahan), so its sign is right; w
+ *   <= 1/2:
+ *            at most 2u before the quotient
+ *   a c < 0: d = (h^2 - q.lo) - q.hi, off by u (k^2 + 1) where k = |h| / sqrt(d)
+ *   < 1, and
+ *            w = 1 / (1 + k): at most u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u
+ *            before it
  * and 2.5u are at most 2.5 ulp: 3 in all.
  */
 BRINK_INLINE int roots_in_range(double a, double b, double c, double *x0,

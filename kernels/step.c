@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step.h"
-#include "exact.h" // refuses -ffast-math, which takes NaN and infinity away
+#include "exact.h"
 #include "overlap.h"
-#include <math.h>
 #include <stddef.h>
 
 int brink_potential_is_valid(const brink_potential *p)

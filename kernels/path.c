@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * Which path a call takes: see isa.h.  Compiled with BRINK_DISPATCH where the
+ * Which path a call takes: see path.h.  Compiled with BRINK_DISPATCH where the
  * build made more than one.
  *
  * It is decided at every call, by a load, a test and a predicted branch.  The
@@ -8,7 +8,7 @@
  * ifunc would save the test, but its resolver runs before a sanitizer is ready,
  * and not every C library has it; a pointer of our own would be global state.
  */
-#include "exact.h" // refuses -ffast-math
+#include "exact.h"
 
 #ifdef BRINK_DISPATCH
 #include "event_time.h"

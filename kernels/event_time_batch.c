@@ -2,14 +2,14 @@
 /**
  * Many pairs at once: what can be said of all of them in the same way is said in
  * loops that the compiler makes vectors of, the doubtful are gathered and looked
- * at again, and what then is left goes through the scalar kernel, one by one. All
- * of it is built of the scalar kernels' parts, so the answers are theirs bit for
- * bit.
+ * at again, and what then is left goes through the scalar kernel, one by one.
+ * All of it is built of the scalar kernels' parts, so the answers are theirs bit
+ * for bit.
  */
-#include "isa.h"
+#include "path.h"
 
 #include "event_time.h"
-#include "event_time_flight.h"
+#include "event_time_sums.h"
 
 enum { BLOCK = 128, GROUP = 8 };
 
@@ -28,8 +28,8 @@ typedef double scalar(const double r[3], const double v[3], double sigma);
 /** A block's times, or -1 for those to be looked at again. */
 typedef void glance(int n, const many *p, double *t);
 
-/** Which times are -1; the number of them.  Groups without one are passed over at
- * a look: t has BLOCK places, those from n on are written to. */
+/** Which times are -1; the number of them.  Groups without one are passed over
+ *  at a look: t has BLOCK places, those from n on are written to. */
 static int find_open(int n, double *t, int *open)
 {
     int count = 0;
@@ -70,8 +70,7 @@ static void look_again(int count, const int *open, const many *p, double *t,
         t[open[k]] = again[k];
 }
 
-// --- What is seen at a glance
-// --------------------------------------------------------
+// --- What is seen at a glance --------------------------------------------------
 
 static void never_meet(int n, const many *p, double *t)
 {
@@ -90,7 +89,10 @@ static void meet(int n, const many *p, double *t)
         GET_PAIR(p, i);
         sums m = sums_of(r, v, sigma);
         int approaching = is_negative(rate_of(r, v)) & sigma_in_range(sigma);
-        t[i] = meeting_time(&m, dot_of(v, v), approaching);
+        int touching = approaching & is_touching(r, sigma);
+        double any = meeting_time(&m, dot_of(v, v), approaching);
+        double near = meeting_time_touching(&m, dot_rounded(v, v), touching);
+        t[i] = near >= 0 ? near : any;
     }
 }
 
@@ -138,11 +140,10 @@ static void part_fast(int n, const many *p, double *t)
     }
 }
 
-// --- The batches
-// ---------------------------------------------------------------------
+// --- The batches ---------------------------------------------------------------
 
-/** One block after the other; the answers are written when a block has been read.
- */
+/** One block after the other; the answers are written when a block has been
+ *  read. */
 static void in_blocks(size_t n, const many *all, double *t, glance *first,
                       glance *second, scalar *kernel)
 {

@@ -138,7 +138,7 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("event_times", 600,
+    return RUN_SUITE("event_time_batch", 600,
                      batches_of_any_size_and_alignment_are_the_scalar_kernel,
                      the_times_may_be_written_over_any_of_the_inputs,
                      inputs_may_be_one_array);

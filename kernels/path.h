@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#ifndef BRINK_ISA_H
-#define BRINK_ISA_H
+#ifndef BRINK_PATH_H
+#define BRINK_PATH_H
 /**
  * The same source compiled for several instruction sets, the best one taken at
  * run time; not installed.
  *
  * A file that includes this first is compiled once more for each path, with
  * BRINK_PATH defined to `any`, `fma` (AVX2 and FMA) or `avx512`; its functions,
- * those listed below, then are brink_NAME_PATH, and dispatch.c holds brink_NAME.
+ * those listed below, then are brink_NAME_PATH, and path.c holds brink_NAME.
  * Without BRINK_PATH it is compiled once, under the names it is written with.
  * fma() is exact whether hardware or libm does it and nothing else is contracted,
  * so every path gives the same bits.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#ifndef BRINK_EVENT_TIME_FLIGHT_H
-#define BRINK_EVENT_TIME_FLIGHT_H
+#ifndef BRINK_EVENT_TIME_SUMS_H
+#define BRINK_EVENT_TIME_SUMS_H
 /**
  * A pair in free flight as a polynomial, for the event times; not installed.
  *
- *     f(t) = |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c
- *     a = v.v   b = r.v   c = r.r - sigma^2   d = b^2 - a c = sigma^2 a - |r x
- * v|^2
+ *     f(t) = |r + v t|^2 - sigma^2 = a t^2 + 2 b t + c a = v.v   b = r.v   c =
+ *     r.r - sigma^2   d = b^2 - a c = sigma^2 a - |r x v|^2
  *
  * Three ways to it: filters, which are cheap and know when they are certain; sums
  * that carry their rounding errors along; and in brink_*_time_slow double-double
@@ -40,8 +39,7 @@ BRINK_INLINE int is_in_range(double x)
     return (x > 0x1p-900) & (x < 0x1p1000);
 }
 
-// --- Filters
-// -------------------------------------------------------------------------
+// --- Filters -------------------------------------------------------------------
 
 /** b, whose sign is certain where it is farther than `error` from 0. */
 typedef struct rate {
@@ -76,10 +74,10 @@ typedef struct chord {
     double a, d, s;
 } chord;
 
-/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900. sigma^2
- * a is off by 1u + 3u; a component of the cross product, by Kahan's way, by 2u,
- * its square by 4u, their sum by 3u more; and d, at most half of s where it
- * matters, by 1u. */
+/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900.
+ *  sigma^2 a is off by 1u + 3u; a component of the cross product, by Kahan's
+ *  way, by 2u, its square by 4u, their sum by 3u more; and d, at most half of
+ *  s where it matters, by 1u. */
 BRINK_INLINE chord chord_of(const double r[3], const double v[3], double sigma)
 {
     double xy = r[1] * v[0], yz = r[1] * v[2], zx = r[0] * v[2];
@@ -104,13 +102,13 @@ BRINK_INLINE int passes_by(chord k)
     return (k.a > 0x1p-900) & (k.d < -fma(0x1p-50, k.s, 0x1p-900));
 }
 
-// --- Plain: sums that carry their errors
-// ---------------------------------------------
+// --- Plain: sums that carry their errors ---------------------------------------
 
-/** b and c as unevaluated sums of two doubles, and R. */
+/** b and c as unevaluated sums of two doubles, what c may be off by where it is
+ * less than R / 3, and R. */
 typedef struct sums {
     dd b, c;
-    double size;
+    double c_error, size;
 } sums;
 
 BRINK_INLINE double sum_of(dd x)
@@ -128,7 +126,7 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
-/** The same with a fourth product: error of c <= 11u^2 R, of b <= 7u^2 P, where R
+/** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R, where R
  * is more than 2^-900, so that what underflows does not count.  Where |c| < R / 3
  * the last difference is exact, and the error of c <= 6u^2 R: u^2 R each for the
  * three additions that the products' errors are in, and 4u^2 r.r, r.r < 2/3 R,
@@ -139,18 +137,45 @@ BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
     dd z = two_prod(r[2], r[2]), q = two_prod(-sigma, sigma);
     dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
     double rest = ((x.lo + y.lo) + (z.lo + q.lo)) + ((s.lo + t.lo) + w.lo);
-    return (sums){dot_of(r, v), {w.hi, rest}, t.hi - q.hi};
+    double size = t.hi - q.hi;
+    return (sums){dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
+}
+
+/** c anew, off by 2u^2 of itself and 2^-150 R: the parts left over, which are u
+ * smaller than R, in double-double. */
+BRINK_INLINE dd fine_c(const double r[3], double sigma)
+{
+    dd x = two_prod(r[0], r[0]), y = two_prod(r[1], r[1]),
+       z = two_prod(r[2], r[2]);
+    dd q = two_prod(-sigma, sigma);
+    dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
+    dd rest = two_sum(x.lo, y.lo);
+    rest = dd_add_d(dd_add_d(rest, z.lo), q.lo);
+    rest = dd_add_d(dd_add_d(rest, s.lo), t.lo);
+    return dd_add_d(dd_add_d(rest, w.lo), w.hi);
+}
+
+BRINK_INLINE void look_closer(sums *m, const double r[3], double sigma)
+{
+    m->c = fine_c(r, sigma);
+    m->c_error = 0x1p-150 * m->size;
 }
 
 /** Whether c is farther above or below 0 than its error. */
 BRINK_INLINE int is_outside(const sums *m)
 {
-    return sum_of(m->c) > 0x1p-102 * m->size;
+    return sum_of(m->c) > 2 * m->c_error;
 }
 
 BRINK_INLINE int is_inside(const sums *m)
 {
-    return sum_of(m->c) < -0x1p-102 * m->size;
+    return sum_of(m->c) < -2 * m->c_error;
+}
+
+/** Whether x is off by less than 3u of itself, if by `error`. */
+BRINK_INLINE int is_known(double x, double error)
+{
+    return x > 0x1.6p51 * error;
 }
 
 /** d, and whether it is larger than 2^-44 Q, where its error <= 2.4u d.  The
@@ -173,15 +198,46 @@ BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
 }
 
 /** The intersection time within 8 ulp, of a pair that approaches; -1 where it is
- * not certain.  c is off by 1u + 6u^2 R / c <= 4u; sqrt(d), at most half of the
- * sum, by 1.2u + 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u)
- * / 2 + 2u < 8u, and 8u are at most 8 ulp. */
+ * not certain.  c is off by 1u + 3u; sqrt(d), at most half of the sum, by 1.2u +
+ * 1u, and b by 1u; sum and quotient are rounded: 4u + (2.2u + 1u) / 2 + 2u < 8u,
+ * and 8u are at most 8 ulp. */
 BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
 {
     discriminant d = discriminant_of(a, m);
     double c = sum_of(m->c), root = sqrt(d.certain ? d.d : 0);
     double t = c / (root - sum_of(m->b));
-    int later = approaching & d.certain & (c > 0x1p-52 * m->size);
+    int later = approaching & d.certain & is_known(c, m->c_error);
+    double otherwise = approaching & is_inside(m) ? 0 : -1;
+    return later ? t : otherwise;
+}
+
+/** Inside, or so near the surface that most of those which approach will meet. */
+BRINK_INLINE int is_touching(const double r[3], double sigma)
+{
+    return dot_rounded(r, r) < 1.02 * (sigma * sigma);
+}
+
+/**
+ * The same of a pair that is touching and does not graze: d = b^2 - a c loses
+ * little then. a may be off by 3u, c by 1u + k, b by 1u; a c, d, its root, the
+ * sum and the quotient are rounded.  With w = sqrt(d) / (sqrt(d) - b), which is
+ * at most 1/2, the time is off by
+ *
+ *     (3 + 1) (1 - 2w) / 2w + (1 + k) / 2w + (1 - w) / w + w / 2 + w + 2    in u:
+ *
+ *     d > b^2 / 3, w > 0.36, k < 0.38:  1.5 + 1.9 + 1.8 + 0.5 + 2 = 7.7
+ *     d > 0.95 b^2, w > 0.49, k < 3:    0.1 + 4.1 + 1.1 + 0.7 + 2 = 8
+ */
+BRINK_INLINE double meeting_time_touching(const sums *m, double a,
+                                          int approaching)
+{
+    double b = sum_of(m->b), c = sum_of(m->c);
+    double bb = b * b, d = fma(-a, c, bb);
+    int slanting = (3 * d > bb) & is_known(c, 8 * m->c_error);
+    int head_on = (d > 0.95 * bb) & is_known(c, m->c_error);
+    int in_range = (a > 0x1p-900) & is_in_range(d);
+    int later = approaching & in_range & (slanting | head_on);
+    double t = c / (sqrt(d > 0 ? d : 0) - b);
     double otherwise = approaching & is_inside(m) ? 0 : -1;
     return later ? t : otherwise;
 }
@@ -197,26 +253,23 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
  * The disjoint time within 8 ulp, of a pair that is inside, or near the surface,
  * or that is `passing`; -1 where it is not certain.  `rough` is its rate.
  *
- * d = b^2 - a c loses nothing there: a may be off by 3u, c by 1u + k, k = 6u^2 R
- * / |c| <= 3u where it is divided by, b by 1u; the product a c, d, its root, the
- * sum and the quotient by 1u each.  With w = sqrt(d) / (sqrt(d) + |b|), to first
- * order,
+ * d = b^2 - a c loses nothing there.  With errors as above, k < 3 where it is
+ * divided by c, and w = sqrt(d) / (sqrt(d) + |b|), the time is off by
  *
- *     b > 0: (1 + k) / 2w + 3 (2w - 1) / 2w + [(1 - w)^2 / w + (2w - 1) / 2w + w
- * / 2]
- *            + w + (1 - w) + 2    for 1/2 <= w <= 1:  at most 4.8 + k, 7.8u at w
- * = 1/2 b < 0, inside:        3 / 2w in place of the terms of a:  at most 6.8u b
- * < 0, just outside, d > 3/4 b^2:  3.3 + 1.8 + 0.5 + 2 = 7.6u
+ *     b > 0: (3 + 1) (2w - 1) / 2w + (1 + k) / 2w + (1 - w)^2 / w + w / 2 + 3
+ *            for 1/2 <= w <= 1: at most 4.8 + k, 7.8u at w = 1/2
+ *     b < 0, inside: 3 / 2w in place of the terms of a: at most 6.8u
+ *     b < 0, just outside, d > 3/4 b^2: 3.3 + 1.8 + 0.5 + 2 = 7.6u
  *
- * A pair that passes by does so from its closest approach, -b / a; |b| > 4u P
- * then, so b is off by 1u + 2u: 7u.
+ * A pair that passes by is disjoint from its closest approach on, at -b / a.
+ * There |b| > 4u P, so it is off by 1u + 2u, and the time by 7u.
  */
 BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
 {
     double b = sum_of(m->b), c = sum_of(m->c);
     double bb = b * b, d = fma(-a, c, bb);
-    int inside = c < -0x1p-52 * m->size,
-        near = is_negative(rough) & (d > 0.75 * bb);
+    int inside = is_known(-c, m->c_error);
+    int near = is_negative(rough) & (d > 0.75 * bb);
     int certain = passing | (is_in_range(d) & (inside | near));
     int now = is_positive(rough) & is_outside(m);
     int none = passing | (d < 0), later = certain & (a > 0x1p-900);
@@ -225,11 +278,10 @@ BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passin
     return now ? 0 : t;
 }
 
-// --- Fast
-// ----------------------------------------------------------------------------
+// --- Fast ----------------------------------------------------------------------
 
 /** Whether the squares are of moderate size, and with them all that is made of
- * them. */
+ *  them. */
 BRINK_INLINE int are_in_range(double a, double rr, double ss)
 {
     uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
@@ -237,15 +289,16 @@ BRINK_INLINE int are_in_range(double a, double rr, double ss)
     return all < 512;
 }
 
-/** On the rim c and d are nothing but their errors, which need not agree: there
- * the pair is at the sphere no later than at its closest approach, -b / a. */
+/** On the rim c and d are nothing but their errors, which need not agree:
+ *  there the pair is at the sphere no later than at its closest approach, -b /
+ *  a. */
 BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
 {
     return k.a * c > -b * sum;
 }
 
-/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord then.
- */
+/** Of a pair inside (c < 0), or outside with b < 0: `outside` is its chord
+ *  then. */
 BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
 {
     double d_inside = fma(b, b, -a * c),

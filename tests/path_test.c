@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Every path gives the same bits: each is called by name, where the library has
-// it and the processor can, and compared with the path that has neither vectors
-// nor fma() in hardware.  A compiler that contracted a * b + c would be seen here
-// too.
+// Every path gives the same bits: each is called by
+// name, where the library has it and the processor can, and compared with the
+// path that has neither vectors nor fma() in
+// hardware.  A compiler that contracted a * b + c would be seen here too.
 #include "pairs.h"
 #include "quadratics.h"
 #include "suite.h"
@@ -51,7 +51,7 @@ PATHS_OF(times, brink_disjoint_times_fast)
     }
 
 /** Whether path 1 (fma) or 2 (avx512) can be tried; path 0 is what they must
- * equal. */
+ *  equal. */
 static int can_try(int path)
 {
     if (brink_quadratic_roots_any == NULL)
@@ -187,7 +187,7 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("isa", 600, roots_are_the_same_on_every_path,
+    return RUN_SUITE("path", 600, roots_are_the_same_on_every_path,
                      times_are_the_same_on_every_path,
                      batches_are_the_same_on_every_path,
                      impulses_are_the_same_on_every_path);
