@@ -257,9 +257,8 @@ static const method cores[] = {
 const problem problem_step = {
     .name = "step",
     .title = "Across a step",
-    .about =
-        "Two particles meet a step of their potential.  Have they the energy to "
-        "cross it, and how do they fly on?",
+    .about = "Two particles meet a step of their potential.  Have they the "
+             "energy to cross it, and how do they fly on?",
     .width = 13,
     .outputs = 7,
     .families = FAMILIES,

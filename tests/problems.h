@@ -106,8 +106,8 @@ typedef struct problem {
     const method *method; // the first is the baseline of costs
 } problem;
 
-extern const problem *const problems[];
-extern const int problem_count;
+enum { PROBLEMS = 13 };
+extern const problem *const problems[PROBLEMS];
 
 /** The family of this name, or -1. */
 int problem_family(const problem *p, const char *name);
