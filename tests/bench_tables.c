@@ -55,20 +55,22 @@ void bench_write_summary(brink_report *r, const contest *c, const char *counts)
     const problem *p = c->problem;
     columns head = {0};
     double instructions[64];
-    char caption[400];
+    char caption[400], second[150] = "";
     bench_count_read(counts, p, instructions);
+    if (p->measure[1] != NULL)
+        snprintf(second, sizeof second, "; the %s in %s", p->second,
+                 p->measure[1]);
     snprintf(caption, sizeof caption,
              "%s cases. Cost, a multiple of the first line's, and instructions a "
-             "call, on %s input; errors in %s%s%s.",
+             "call, on %s input; errors in %s%s.",
              brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual,
-             p->measure[0], p->measure[1] != NULL ? "; gaps in " : "",
-             p->measure[1] != NULL ? p->measure[1] : "");
+             p->measure[0], second);
     for (const char *const *h =
              (const char *const[]){"", "cost", "instr.", "median", "worst", NULL};
          *h != NULL; h++)
         add_column(&head, *h);
     if (p->measure[1] != NULL)
-        add_column(&head, "gap");
+        add_column(&head, p->second);
     for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
         if (is_seen(c, k))
             add_column(&head, problem_wrong_names[k]);

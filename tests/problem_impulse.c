@@ -268,6 +268,7 @@ const problem problem_step = {
     .solve = solve,
     .judge = judge,
     .measure = MEASURED_IN,
+    .second = "momentum",
     .methods = sizeof steps / sizeof *steps,
     .method = steps,
 };
@@ -285,6 +286,7 @@ const problem problem_core = {
     .solve = solve_core,
     .judge = judge,
     .measure = MEASURED_IN,
+    .second = "momentum",
     .methods = sizeof cores / sizeof *cores,
     .method = cores,
 };

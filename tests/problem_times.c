@@ -229,6 +229,7 @@ const problem problem_intersection = {
     .solve = solve_intersection,
     .judge = judge_intersection,
     .measure = {"ulp", "eps (σ + |v| t) from the surface"},
+    .second = "gap",
     .methods = sizeof intersections / sizeof *intersections,
     .method = intersections,
 };
@@ -246,6 +247,7 @@ const problem problem_disjoint = {
     .solve = solve_disjoint,
     .judge = judge_disjoint,
     .measure = {"ulp", "eps (σ + |v| t) from the surface"},
+    .second = "gap",
     .methods = sizeof disjoints / sizeof *disjoints,
     .method = disjoints,
 };

@@ -102,6 +102,7 @@ typedef struct problem {
     void (*solve)(const double *x, truth *);
     judge_of *judge, *judge_sign;
     const char *measure[MEASURES]; // what the errors are counted in
+    const char *second;            // what the second of them is of, in a word
     int methods;
     const method *method; // the first is the baseline of costs
 } problem;
