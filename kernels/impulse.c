@@ -121,13 +121,14 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
 
     // s, the speed along `way` times |r|, becomes s' with s'^2 = s^2 - loss.
     dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
-    double scaled_rise =
-        ldexp(rise, -p.em - 2 * p.ev); // infinite: the exact way it is
+    // A rise of 2^900 is out of reach: it stands for all that are higher.
+    double scaled_rise = fmin(ldexp(rise, -p.em - 2 * p.ev), 0x1p900);
     dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
     dd rest = dd_add(ss, dd_negate(loss));
 
-    // Components of r, v1, v2 are less than 4 here: P = sum |r_i v_i| < 96; b is
-    // off by 8u^2 P, s^2 by 20u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of itself.
+    // Components of r, v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96; b
+    // is off by 8u^2 P, s^2 by 20u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
+    // itself.
     int crosses = rest.hi > 0;
     if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
         crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;

@@ -31,20 +31,20 @@ static int usage(void)
 
 static int print_speeds(const char *part)
 {
-    printf("%-32s %-12s %9s %9s %7s %6s\n", "kernel", "inputs", "ns", "baseline",
+    printf("%-32s %-12s %-18s %8s %6s %6s\n", "kernel", "inputs", "beside", "ns",
            "ratio", "asked");
     for (int k = 0; k < bench_speed_lines(); k++) {
         speed s;
         if (strstr(bench_speed_kernel(k), part) == NULL)
             continue;
-        const int here = bench_speed_measure(k, 1, 0.4, &s);
-        const double ratio = s.ns / s.baseline_ns;
-        if (here > 0)
-            printf("%-32s %-12s %9.2f %9.2f %7.2f %6.2f%s\n", s.kernel, s.family,
-                   s.ns, s.baseline_ns, ratio, s.at_most,
-                   s.at_most > 0 && ratio > s.at_most ? "  over" : "");
-        else
-            printf("%-32s %-12s not here\n", s.kernel, s.family);
+        if (bench_speed_measure(k, 1, 0.4, &s) != 0)
+            return FAILED;
+        printf("%-32s %-12s %-18s ", s.kernel, s.family, s.baseline);
+        if (s.verdict != SPEED_NOT_HERE)
+            printf("%8.2f %6.2f ", s.ns, s.ratio);
+        if (s.at_most > 0)
+            printf("%6.2f ", s.at_most);
+        printf("%s\n", speed_words[s.verdict]);
         fflush(stdout);
     }
     return DONE;

@@ -31,7 +31,7 @@ static void count(const method *m, const inputs *in, answers *out)
 int bench_count_all(uint64_t seed)
 {
     int failed = 0;
-    for (int i = 0; i < problem_count && !failed; i++) {
+    for (int i = 0; i < PROBLEMS && !failed; i++) {
         const problem *p = problems[i];
         inputs *in = inputs_make(p, problem_family(p, p->usual), CALLS, seed);
         answers *out = answers_make(CALLS);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench_page.h"
-#include "bench_count.h"
+#include "bench_families.h"
 #include "bench_plots.h"
-#include "bench_speed.h"
+#include "bench_tables.h"
 #include "bench_words.h"
-#include "problems_all.h"
 #include "report.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,136 +11,12 @@
 #include <string.h>
 #include <sys/utsname.h>
 
-enum { COLUMNS = 24 };
+enum {
+    MAIN = 3, // the problems with all there is to them
+    HERO = 1  // the one that the page begins with
+};
 
-// --- Tables
-// --------------------------------------------------------------------------
-
-typedef struct columns {
-    int count;
-    const char *head[COLUMNS];
-    char align[COLUMNS];
-} columns;
-
-static void add_column(columns *c, const char *head)
-{
-    c->align[c->count] = c->count == 0 ? 'l' : 'r';
-    c->head[c->count++] = head;
-}
-
-static int is_seen(const contest *c, int kind)
-{
-    int seen = 0;
-    for (int k = 0; k < c->problem->methods; k++)
-        seen |= c->of[k].all.wrong[kind] > 0;
-    return seen;
-}
-
-static void put_count(brink_report *r, int count)
-{
-    if (count == 0)
-        brink_report_cell(r, "·");
-    else
-        brink_report_cell(r, "%s", brink_words_grouped((uint64_t)count).text);
-}
-
-static void put_errors(brink_report *r, const standing *s, int measure)
-{
-    static const double parts[] = {0.5, 0.999, 1};
-    for (int k = measure == 0 ? 0 : 2; k < 3; k++)
-        if (s->method->rank == RANK_SIGN)
-            brink_report_cell(r, " ");
-        else
-            brink_report_cell(
-                r, "%s",
-                bench_error(measure_quantile(&s->all, measure, parts[k])).text);
-}
-
-/** Cost, errors, and what was wrong, a line a way. */
-static void write_summary(brink_report *r, const contest *c, const char *file)
-{
-    const problem *p = c->problem;
-    columns head = {0};
-    double instructions[64];
-    char caption[400], gap[100];
-    bench_count_read(file, p, instructions);
-    snprintf(caption, sizeof caption,
-             "%s cases. Cost: a multiple of the first line's, nanoseconds and "
-             "instructions a call, on %s input. Errors in %s.",
-             brink_words_grouped((uint64_t)c->of[0].all.n).text, p->usual,
-             p->measure[0]);
-    snprintf(gap, sizeof gap, "worst in %s",
-             p->measure[1] != NULL ? p->measure[1] : "");
-    for (const char *const *h =
-             (const char *const[]){"", "cost", "ns", "instructions", "median",
-                                   "99.9 %", "worst", NULL};
-         *h != NULL; h++)
-        add_column(&head, *h);
-    if (p->measure[1] != NULL)
-        add_column(&head, gap);
-    for (int k = WRONG_NOT + 1; k < WRONG_KINDS; k++)
-        if (is_seen(c, k))
-            add_column(&head, problem_wrong_names[k]);
-    brink_report_table(r, caption, head.count, head.align, head.head);
-    for (int k = 0; k < p->methods; k++) {
-        const standing *s = &c->of[k];
-        brink_report_cell(r, "%s", s->method->label);
-        brink_report_cell(r, "%s", bench_ratio(s->ratio).text);
-        brink_report_cell(r, "%s", bench_ratio(s->ns).text);
-        if (isnan(instructions[k]))
-            brink_report_cell(r, " ");
-        else
-            brink_report_cell(
-                r, "%s",
-                brink_words_grouped((uint64_t)(instructions[k] + 0.5)).text);
-        put_errors(r, s, 0);
-        if (p->measure[1] != NULL)
-            put_errors(r, s, 1);
-        for (int w = WRONG_NOT + 1; w < WRONG_KINDS; w++)
-            if (is_seen(c, w))
-                put_count(r, s->all.wrong[w]);
-    }
-    brink_report_table_end(r);
-}
-
-/** Wrong answers, a line a family. */
-static void write_families(brink_report *r, const contest *c)
-{
-    const problem *p = c->problem;
-    columns head = {0};
-    char caption[200];
-    snprintf(caption, sizeof caption,
-             "Wrong answers of %s in each family of inputs.",
-             brink_words_grouped((uint64_t)c->of[0].family[0].n).text);
-    add_column(&head, "family");
-    for (int k = 0; k < p->methods; k++)
-        add_column(&head, c->of[k].method->label);
-    brink_report_table(r, caption, head.count, head.align, head.head);
-    for (int f = 0; f < p->families; f++) {
-        brink_report_cell(r, "%s", p->family(f));
-        for (int k = 0; k < p->methods; k++)
-            put_count(r, measure_wrong(&c->of[k].family[f]));
-    }
-    brink_report_table_end(r);
-}
-
-static void write_ways(brink_report *r, const problem *p)
-{
-    columns head = {0};
-    add_column(&head, "");
-    add_column(&head, "what it does");
-    head.align[1] = 'l';
-    brink_report_table(r, "The ways to an answer.", head.count, head.align,
-                       head.head);
-    for (int k = 0; k < p->methods; k++) {
-        brink_report_cell(r, "%s", p->method[k].label);
-        brink_report_cell(r, "%s", p->method[k].about);
-    }
-    brink_report_table_end(r);
-}
-
-// --- Sections
-// ------------------------------------------------------------------------
+// --- Sections ------------------------------------------------------------------
 
 static void write_text(brink_report *r, char *text)
 {
@@ -154,11 +29,21 @@ static void draw(brink_report *r, char *script, const problem *p,
                  const char *what, const char *caption)
 {
     char name[100];
-    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): the list has problems
     snprintf(name, sizeof name, "kernels-%s%s", p->name, what);
     if (script != NULL)
         brink_report_figure(r, name, caption, script);
     free(script);
+}
+
+static void draw_scatter(brink_report *r, const contest *c)
+{
+    char caption[400];
+    snprintf(caption, sizeof caption,
+             "%s: cost against error. Each line is one way to the answer, from "
+             "its median error to its worst. A cross: it was wrong about "
+             "whether, not only about how much.",
+             c->problem->title);
+    draw(r, bench_scatter(c, 0), c->problem, "", caption);
 }
 
 /** A problem that most will look at, with all there is to it. */
@@ -168,31 +53,28 @@ static void write_contest(brink_report *r, const contest *c, const char *counts)
     brink_report_heading(r, 2, "%s", p->title);
     brink_report_paragraph(r, "%s", p->about);
     write_text(r, bench_sentences(c));
-    draw(r, bench_scatter(c, 0), p, "",
-         "Cost against error: each line is one way to the answer, from its "
-         "median error "
-         "to its worst. A cross: it was wrong about whether, not only about how "
-         "much.");
+    if (c->problem != problems[HERO])
+        draw_scatter(r, c);
     draw(r, bench_distribution(c, 0), p, "-errors",
          "How many answers are how far off. A curve that falls to the ground has "
-         "a worst "
-         "answer; one that runs into the column at the right has wrong ones.");
+         "a worst answer; one that runs into the column at the right has wrong "
+         "ones.");
     if (p->measure[1] != NULL)
         draw(r, bench_scatter(c, 1), p, "-gap",
              "The same, measured by what it means: how far from where it should "
-             "be the "
-             "pair is at the time that was answered, in roundings of its path.");
-    write_summary(r, c, counts);
-    write_families(r, c);
-    write_ways(r, p);
+             "be the pair is at the time that was answered, in roundings of its "
+             "path.");
+    bench_write_summary(r, c, counts);
+    bench_write_families(r, c);
+    bench_write_ways(r, p);
 }
 
 static void write_minor(brink_report *r, const contest *c, const char *counts)
 {
     brink_report_heading(r, 3, "%s", c->problem->title);
     brink_report_paragraph(r, "%s", c->problem->about);
-    draw(r, bench_scatter(c, 0), c->problem, "", "Cost against error.");
-    write_summary(r, c, counts);
+    draw_scatter(r, c);
+    bench_write_summary(r, c, counts);
 }
 
 static void write_beginning(brink_report *r, const contest *c)
@@ -200,95 +82,44 @@ static void write_beginning(brink_report *r, const contest *c)
     brink_report_heading(r, 1, "Speed against error");
     brink_report_paragraph(
         r, "Do these two balls meet, and when? Is the pair inside the well or "
-           "outside? A "
-           "simulation asks such questions millions of times a second, and one "
-           "wrong "
-           "answer can end it. This page sets what an answer costs against how "
-           "good it "
-           "is: for brink's kernels, for the formulas as one finds them in "
-           "print, for "
-           "other libraries, and for arithmetic with more digits.");
-    for (int k = 0; k < 3; k++)
+           "outside? A simulation asks such questions millions of times a "
+           "second, and one wrong answer can end it. This page sets what an "
+           "answer costs against how good it is: for brink's kernels, for the "
+           "formulas as one finds them in print, for other libraries, and for "
+           "arithmetic with more digits.");
+    for (int k = 0; k < MAIN; k++)
         write_text(r, bench_headline(&c[k]));
-    draw(r, bench_scatter(&c[1], 0), c[1].problem, "-first",
-         "When do two balls meet? Cost against error; how to read it, below.");
+    draw_scatter(r, &c[HERO]);
     brink_report_heading(r, 2, "How to read this");
-    brink_report_paragraph(r, "A computer's number, a double, holds some 16 "
-                              "decimal digits. The distance from "
-                              "one double to the next is an ulp, a unit in the "
-                              "last place. As the truth lies "
-                              "between two of them, no answer can be expected to "
-                              "be nearer than half an ulp. "
-                              "An error of 1000 ulp has cost 3 of the 16 digits, "
-                              "one of 10¹⁶ all of them.");
     brink_report_paragraph(
-        r,
-        "Worse than lost digits is a wrong answer: a collision that is missed, "
-        "or one "
-        "that is invented; now for later; a root that is not there. No number of "
-        "digits measures that, so whoever gave one wrong answer stands in a "
-        "column of "
-        "his own, however good the others were; the percentage beside his name "
-        "says "
-        "how often it happened.");
+        r, "A computer's number, a double, holds some 16 decimal digits. The "
+           "distance from one double to the next is an ulp, a unit in the last "
+           "place. As the truth lies between two of them, no answer can be "
+           "expected to be nearer than half an ulp. An error of 1000 ulp has "
+           "cost 3 of the 16 digits, one of 10¹⁶ all of them.");
     brink_report_paragraph(
-        r,
-        "In the figures each way to an answer is a line. Its height is what a "
-        "call "
-        "costs, as a multiple of what the plainest formula costs on ordinary "
-        "input. "
-        "It begins with a small dot at the median error and ends with a large "
-        "one at "
-        "the worst. Both axes are logarithmic. Down and to the left is better.");
+        r, "Worse than lost digits is a wrong answer: a collision that is "
+           "missed, or one that is invented; now for later; a root that is not "
+           "there. No number of digits measures that, so whoever gave one wrong "
+           "answer stands in a column of his own, however good the others were; "
+           "the percentage beside his name says how often it happened.");
     brink_report_paragraph(
-        r,
-        "The inputs are random, of families: some ordinary, most made to break "
-        "something, each with the same weight. So the percentages do not say how "
-        "often "
-        "a simulation goes wrong; the tables say which family did it. Everything "
-        "is "
-        "judged by MPFR with so many digits that sums and products are exact.");
-}
-
-static void write_speed(brink_report *r, const bench_settings *s)
-{
-    columns head = {0};
-    brink_report_heading(r, 2, "What was asked, and what is measured");
+        r, "In the figures each way to an answer is a line. Its height is what a "
+           "call costs, as a multiple of what the plainest formula costs on "
+           "ordinary input. It begins with a small dot at the median error and "
+           "ends with a large one at the worst. Both axes are logarithmic. Down "
+           "and to the left is better.");
     brink_report_paragraph(
-        r,
-        "Each line a kernel on a family of inputs, beside its baseline in the "
-        "same "
-        "process, taking turns over %d inputs, more than a processor's branch "
-        "prediction can learn by heart. A batch answers many pairs at a time and "
-        "is "
-        "set beside the scalar loop of its baseline.",
-        65536);
-    for (const char *const *h =
-             (const char *const[]){"kernel", "inputs", "beside", "ns", "its ns",
-                                   "ratio", "asked: at most", "", NULL};
-         *h != NULL; h++)
-        add_column(&head, *h);
-    head.align[1] = head.align[2] = head.align[7] = 'l';
-    brink_report_table(r, "Nanoseconds a call, and the ratio.", head.count,
-                       head.align, head.head);
-    for (int k = 0; k < bench_speed_lines(); k++) {
-        speed of;
-        const int here = bench_speed_measure(k, s->seed, s->seconds / 4, &of);
-        const double ratio = of.ns / of.baseline_ns;
-        brink_report_cell(r, "%s", of.kernel);
-        brink_report_cell(r, "%s", of.family);
-        brink_report_cell(r, "%s", of.baseline);
-        brink_report_cell(r, here > 0 ? "%.2f" : "–", of.ns);
-        brink_report_cell(r, here > 0 ? "%.2f" : "–", of.baseline_ns);
-        brink_report_cell(r, here > 0 ? "%.2f" : "–", ratio);
-        brink_report_cell(r, of.at_most > 0 ? "%g" : " ", of.at_most);
-        brink_report_cell(r, "%s",
-                          here <= 0            ? "not here"
-                          : of.at_most == 0    ? ""
-                          : ratio > of.at_most ? "over"
-                                               : "kept");
-    }
-    brink_report_table_end(r);
+        r, "The inputs are random, of families: some ordinary, most made to "
+           "break something, each with the same weight. So the percentages do "
+           "not say how often a simulation goes wrong; the tables say which "
+           "family did it. Everything is judged by MPFR with so many digits that "
+           "sums and products are exact.");
+    brink_report_paragraph(
+        r, "Missed: there is a root, or a meeting, and the answer was none. "
+           "Invented: the reverse. Now/later: the time is 0 and the answer was "
+           "not, or the reverse. Spurious: 0, infinity or NaN for a number that "
+           "is none of these.");
 }
 
 /** The processor's name, if the system tells it. */
@@ -319,45 +150,54 @@ static void write_end(brink_report *r, const bench_settings *s)
                           BRINK_VERSION, BRINK_COMPILER, processor, u.machine);
     brink_report_paragraph(
         r,
-        "%d cases of each family, a fifth of that for the further kernels, from "
-        "seed "
-        "%" PRIu64
+        "%s cases of each family, a fifth of that for the further kernels, from "
+        "seed %" PRIu64
         ". Times are the shortest of many turns that the ways take in one "
         "process; instructions are callgrind's, the loop around the call "
-        "included, "
-        "on the path that it can run: AVX2, not AVX-512. `ulp KERNEL FAMILY` "
-        "measures one kernel on one family, and prints the worst inputs.",
-        s->cases, s->seed);
+        "included, on the path that it can run: AVX2, not AVX-512. `ulp KERNEL "
+        "FAMILY` measures one kernel on one family, and prints the worst inputs.",
+        brink_words_grouped((uint64_t)s->cases).text, s->seed);
+    brink_report_paragraph(
+        r, "[S16] is S. Strobl, M. N. Bannerman and T. Pöschel, Stable algorithm "
+           "for event detection in event-driven particle dynamics: logical "
+           "states, Computational Particle Mechanics 3 (2016). Goualard 2023 is "
+           "F. Goualard, The Ins and Outs of Solving Quadratic Equations with "
+           "Floating-Point Arithmetic.");
+}
+
+static void write_page(brink_report *r, const contest c[PROBLEMS],
+                       const bench_settings *s)
+{
+    write_beginning(r, c);
+    for (int k = 0; k < MAIN; k++)
+        write_contest(r, &c[k], s->instructions);
+    bench_families(r);
+    brink_report_heading(r, 2, "The further kernels");
+    for (int k = MAIN; k < PROBLEMS; k++)
+        write_minor(r, &c[k], s->instructions);
+    fprintf(stderr, "bench: what was asked\n");
+    bench_write_speed(r, s->seed, s->seconds / 4);
+    write_end(r, s);
 }
 
 int bench_page(const bench_settings *s)
 {
-    enum { MAIN = 3 }; // the problems with all there is to them
     brink_report r;
+    contest c[PROBLEMS];
     int failed = 0;
-    contest *c = calloc((size_t)problem_count, sizeof *c);
-    for (int k = 0; c != NULL && k < problem_count; k++) {
+    for (int k = 0; k < PROBLEMS; k++) {
+        const int cases = k < MAIN ? s->cases : (s->cases + 4) / 5;
         fprintf(stderr, "bench: %s\n", problems[k]->title);
-        failed |= contest_hold(&c[k], problems[k],
-                               k < MAIN ? s->cases : (s->cases + 4) / 5, s->seed,
-                               s->seconds);
+        failed |= contest_hold(&c[k], problems[k], cases, s->seed, s->seconds);
     }
-    if (c == NULL || failed) {
+    if (failed) {
         fprintf(stderr, "bench: no memory for %d cases\n", s->cases);
-        return -1;
+    } else {
+        brink_report_open_page(&r, s->out, "kernels", "Speed against error");
+        write_page(&r, c, s);
+        failed = brink_report_close(&r, stderr);
     }
-    brink_report_open_page(&r, s->out, "kernels", "Speed against error");
-    write_beginning(&r, c);
-    for (int k = 0; k < MAIN; k++)
-        write_contest(&r, &c[k], s->instructions);
-    brink_report_heading(&r, 2, "The further kernels");
-    for (int k = MAIN; k < problem_count; k++)
-        write_minor(&r, &c[k], s->instructions);
-    fprintf(stderr, "bench: what was asked\n");
-    write_speed(&r, s);
-    write_end(&r, s);
-    for (int k = 0; k < problem_count; k++)
+    for (int k = 0; k < PROBLEMS; k++)
         contest_free(&c[k]);
-    free(c);
-    return brink_report_close(&r, stderr);
+    return failed;
 }

@@ -6,9 +6,10 @@
 #include "standing.h"
 
 /** Cost against error by a measure: a line from each way's median to its largest
- * error, or into the column of those that were wrong. */
+ * error, or into the column of those that were wrong.  bench_scatter.c */
 char *bench_scatter(const contest *c, int measure);
 
-/** The part of the answers whose error is above x, of each way. */
+/** The part of the answers whose error is above x, of each way.
+ * bench_distribution.c */
 char *bench_distribution(const contest *c, int measure);
 #endif

@@ -147,12 +147,25 @@ static const method *method_named(const char *name, const problem **p)
     return &(*p)->method[k];
 }
 
+const char *const speed_words[] = {[SPEED_NOT_HERE] = "not here",
+                                   [SPEED_NOT_ASKED] = " ",
+                                   [SPEED_KEPT] = "kept",
+                                   [SPEED_OVER] = "over"};
+
+static enum speed_verdict verdict_of(const speed *s)
+{
+    if (s->at_most == 0)
+        return SPEED_NOT_ASKED;
+    return s->ratio > s->at_most ? SPEED_OVER : SPEED_KEPT;
+}
+
 int bench_speed_measure(int which, uint64_t seed, double seconds, speed *s)
 {
     const line *l = &lines[which];
     const problem *p;
     const method *baseline = method_named(l->baseline, &p);
-    *s = (speed){l->kernel, l->family, baseline->label, l->at_most, 0, 0};
+    *s = (speed){l->kernel, l->family,  baseline->label, 0,
+                 0,         l->at_most, SPEED_NOT_HERE};
     if (l->batch != NULL && (l->there == NULL || !machine_has(l->path)))
         return 0;
     loop *const subject =
@@ -161,13 +174,14 @@ int bench_speed_measure(int which, uint64_t seed, double seconds, speed *s)
     inputs *in = inputs_make(p, problem_family(p, l->family), COST_INPUTS, seed);
     answers *out = answers_make(COST_INPUTS);
     double ns[2];
-    const int good = in != NULL && out != NULL &&
-                     cost_compare(2, loops, in, out, seconds, ns) == 0;
-    if (good) {
-        s->baseline_ns = ns[0];
+    const int failed = in == NULL || out == NULL ||
+                       cost_compare(2, loops, in, out, seconds, ns) != 0;
+    if (!failed) {
         s->ns = ns[1];
+        s->ratio = ns[1] / ns[0];
+        s->verdict = verdict_of(s);
     }
     answers_free(out);
     inputs_free(in);
-    return good ? 1 : -1;
+    return failed ? -1 : 0;
 }

@@ -82,8 +82,7 @@ static void tell_ours(FILE *out, const contest *c)
     if (fast != NULL)
         fprintf(out,
                 " The fast tier, %s times, may judge a grazing pair otherwise; "
-                "at its "
-                "worst the pair was %s eps of its path from the surface.",
+                "at its worst the pair was %s eps of its path from the surface.",
                 bench_ratio(fast->ratio).text,
                 bench_error(standing_max(fast, 1)).text);
 }
@@ -110,9 +109,11 @@ static void tell_rivals(FILE *out, const contest *c)
         fprintf(out, " None of the %d rivals was always right.", rivals);
     else if (right < rivals)
         fprintf(out,
-                " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s.",
+                " Of %d rivals %d %s never wrong; the cheapest, %s, costs %s and "
+                "was off by up to %s %s.",
                 rivals, right, right == 1 ? "was" : "were", best->method->label,
-                bench_ratio(best->ratio).text);
+                bench_ratio(best->ratio).text,
+                bench_error(standing_max(best, 0)).text, c->problem->measure[0]);
 }
 
 char *bench_sentences(const contest *c)
@@ -136,10 +137,11 @@ char *bench_headline(const contest *c)
     if (out == NULL)
         return NULL;
     fprintf(out,
-            "%s: %s answers, wrong %s of brink’s and %s of those of “%s”; %s "
-            "times the cost.",
+            "%s. Of %s answers brink was wrong in %s, “%s” in %s; brink costs %s "
+            "times "
+            "as much.",
             c->problem->title, brink_words_grouped((uint64_t)plain->all.n).text,
-            bench_wrong(plain).text, bench_wrong(&c->of[0]).text,
-            c->of[0].method->label, bench_ratio(plain->ratio).text);
+            bench_wrong(plain).text, c->of[0].method->label,
+            bench_wrong(&c->of[0]).text, bench_ratio(plain->ratio).text);
     return fclose(out) == 0 ? text : NULL;
 }

@@ -86,9 +86,10 @@ END_TEST
 START_TEST(every_promise_is_kept_on_all_small_integers)
 {
     for (int n = 0; n < 4 * 4 * 4 * 27 * 5; n++) {
+        const int sigma = n / 1728;
         pair_case p = {{n % 4, n / 4 % 4, n / 16 % 4},
                        {n / 64 % 3 - 1, n / 192 % 3 - 1, n / 576 % 3 - 1},
-                       n / 1728};
+                       sigma};
         for (size_t k = 0; k < sizeof promises / sizeof *promises; k++)
             keep(&promises[k], "small integers", n, &p);
     }

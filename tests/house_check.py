@@ -68,9 +68,7 @@ def check_includes(path):
         return
     for include in re.findall(r'#include [<"](?:brink/)?(\w+)\.h[>"]', path.read_text()):
         theirs = room_of(include)
-        if theirs in (None, mine):
-            continue
-        if ROOMS[theirs] <= ROOMS[mine]:
+        if theirs not in (None, mine) and ROOMS[theirs] <= ROOMS[mine]:
             fault(path, f"includes {include}.h, which does not lie below it")
 
 

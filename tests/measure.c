@@ -46,6 +46,7 @@ static int sample_make(sample *s, int n)
 void measure_free(sample *s)
 {
     free(s->error[0]);
+    memset(s->error, 0, sizeof s->error);
 }
 
 static void judge_all(const problem *p, const method *m, const inputs *in,

@@ -257,9 +257,8 @@ static const method cores[] = {
 const problem problem_step = {
     .name = "step",
     .title = "Across a step",
-    .about =
-        "Two particles meet a step of their potential.  Have they the energy to "
-        "cross it, and how do they fly on?",
+    .about = "Two particles meet a step of their potential.  Have they the "
+             "energy to cross it, and how do they fly on?",
     .width = 13,
     .outputs = 7,
     .families = FAMILIES,
@@ -269,6 +268,7 @@ const problem problem_step = {
     .solve = solve,
     .judge = judge,
     .measure = MEASURED_IN,
+    .second = "momentum",
     .methods = sizeof steps / sizeof *steps,
     .method = steps,
 };
@@ -286,6 +286,7 @@ const problem problem_core = {
     .solve = solve_core,
     .judge = judge,
     .measure = MEASURED_IN,
+    .second = "momentum",
     .methods = sizeof cores / sizeof *cores,
     .method = cores,
 };

@@ -16,8 +16,7 @@ static int sign_of(double x)
     return (x > 0) - (x < 0);
 }
 
-// --- Inputs
-// --------------------------------------------------------------------------
+// --- Inputs --------------------------------------------------------------------
 
 static const char *family(int k)
 {
@@ -102,8 +101,7 @@ static const signed char paste_rates[] = {-1, -1, -1, 0,  1,  2,  -1,
 static const signed char paste_plane_at[] = {0, 1, 2, 3, 4,  5,  -1,
                                              6, 7, 8, 9, 10, 11, 12};
 
-// --- Verdicts
-// ------------------------------------------------------------------------
+// --- Verdicts ------------------------------------------------------------------
 
 static verdict judge_value(const double *x, const truth *t, int n,
                            const double *y)
@@ -125,8 +123,7 @@ static verdict judge_sign(const double *x, const truth *t, int n, const double *
     return (verdict){n == t->n ? WRONG_NOT : WRONG_SIGN, {n != t->n, -1}};
 }
 
-// --- Ways
-// ----------------------------------------------------------------------------
+// --- Ways ----------------------------------------------------------------------
 
 #ifdef TESTS_FLOAT128
 #define WITH_QUAD(...) __VA_ARGS__
@@ -209,16 +206,17 @@ QUANTITY(halfspace_at, (p, p + 3, p + 6, p + 9, p[12]), halfspace_overlap_at,
     };
 
 PROBLEM(ball, "Overlap of two balls",
-        "r·r - σ²: are they apart, in touch, or inside?", make_pair, 7,
-        paste_pair)
-PROBLEM(rate, "Its rate", "r·v: are they coming nearer?", make_pair, 7,
+        "r·r - σ²: are they apart, in touch, or one inside the other?", make_pair,
+        7, paste_pair)
+PROBLEM(rate, "Nearer or farther", "r·v: are they coming nearer?", make_pair, 7,
         paste_pair)
 PROBLEM(ball_at, "Overlap of two balls, later", "|r + v t|² - σ²", make_pair_at,
         8, paste_pair_at)
-PROBLEM(rate_at, "Its rate, later", "v·(r + v t)", make_pair_at, 8, paste_pair_at)
+PROBLEM(rate_at, "Nearer or farther, later", "v·(r + v t)", make_pair_at, 8,
+        paste_pair_at)
 PROBLEM(halfspace, "Overlap with a wall", "n·(r - c): on which side of a plane?",
         make_plane, 9, paste_plane)
-PROBLEM(halfspace_rate, "Its rate", "n·v: towards the plane, or away?",
+PROBLEM(halfspace_rate, "Towards a wall", "n·v: towards the plane, or away?",
         make_rates, 6, paste_rates)
 PROBLEM(halfspace_at, "Overlap with a wall, later", "n·(r + v t - c)",
         make_plane_at, 13, paste_plane_at)

@@ -69,8 +69,7 @@ static const method methods[] = {
      RANK_FORMULA, baseline_quadratic_textbook_loop, 0, 0},
     {"quadratic/stable", "stable quotient",
      "q = -(b ± √(b² - 4ac)) / 2, roots q/a and c/q: no cancellation between b "
-     "and "
-     "the root",
+     "and the root",
      RANK_FORMULA, double_roots_loop, 0, 0},
     {"quadratic/kahan", "Kahan's fma",
      "the stable quotient, and the discriminant to 3/2 ulp by Kahan's way with "

@@ -161,9 +161,9 @@ TIMES(quad_disjoint)
 #endif
 
 static const method intersections[] = {
-    {"intersection/printed", "[S16] algorithm 1", "as printed", RANK_FORMULA,
-     baseline_intersection_loop, 0, 0},
-    {"intersection/kahan", "with an exact b² - ac",
+    {"intersection/printed", "[S16] alg. 1", "[S16] algorithm 1 as printed",
+     RANK_FORMULA, baseline_intersection_loop, 0, 0},
+    {"intersection/kahan", "with exact b² - ac",
      "algorithm 1, and the discriminant of its rounded a, b, c to 3/2 ulp by fma",
      RANK_FORMULA, rival_intersection_kahan_loop, 0, 0},
     {"intersection/cross", "cross form",
@@ -189,11 +189,11 @@ static const method intersections[] = {
 };
 
 static const method disjoints[] = {
-    {"disjoint/stable", "[S16] algorithm 2, put right",
-     "with the branches of the printed one swapped back", RANK_FORMULA,
-     baseline_disjoint_loop, 0, 0},
-    {"disjoint/printed", "[S16] algorithm 2", "as printed", RANK_FORMULA,
-     rival_disjoint_printed_loop, 0, 0},
+    {"disjoint/stable", "alg. 2, put right",
+     "[S16] algorithm 2 with the branches of the printed one swapped back",
+     RANK_FORMULA, baseline_disjoint_loop, 0, 0},
+    {"disjoint/printed", "[S16] alg. 2", "[S16] algorithm 2 as printed",
+     RANK_FORMULA, rival_disjoint_printed_loop, 0, 0},
     {"disjoint/cross", "cross form",
      "put right, with the discriminant as a σ² - |r × v|², each 2 × 2 by fma",
      RANK_FORMULA, rival_disjoint_cross_loop, 0, 0},
@@ -229,6 +229,7 @@ const problem problem_intersection = {
     .solve = solve_intersection,
     .judge = judge_intersection,
     .measure = {"ulp", "eps (σ + |v| t) from the surface"},
+    .second = "gap",
     .methods = sizeof intersections / sizeof *intersections,
     .method = intersections,
 };
@@ -246,6 +247,7 @@ const problem problem_disjoint = {
     .solve = solve_disjoint,
     .judge = judge_disjoint,
     .measure = {"ulp", "eps (σ + |v| t) from the surface"},
+    .second = "gap",
     .methods = sizeof disjoints / sizeof *disjoints,
     .method = disjoints,
 };

@@ -3,23 +3,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-const problem *const problems[] = {
+const problem *const problems[PROBLEMS] = {
     &problem_quadratic,      &problem_intersection, &problem_disjoint,
     &problem_halfspace_time, &problem_ball,         &problem_rate,
     &problem_ball_at,        &problem_rate_at,      &problem_halfspace,
     &problem_halfspace_rate, &problem_halfspace_at, &problem_step,
     &problem_core,
 };
-const int problem_count = sizeof problems / sizeof *problems;
 
 const char *const problem_wrong_names[WRONG_KINDS] = {
-    [WRONG_NOT] = "right",
-    [WRONG_MISSED] = "missed",
-    [WRONG_INVENTED] = "invented",
-    [WRONG_NOW] = "now for later",
-    [WRONG_SIGN] = "sign",
-    [WRONG_SIDE] = "side",
-    [WRONG_SPURIOUS] = "0, inf or NaN",
+    [WRONG_NOT] = "right",         [WRONG_MISSED] = "missed",
+    [WRONG_INVENTED] = "invented", [WRONG_NOW] = "now/later",
+    [WRONG_SIGN] = "sign",         [WRONG_SIDE] = "side",
+    [WRONG_SPURIOUS] = "spurious",
 };
 
 int problem_family(const problem *p, const char *name)
@@ -32,7 +28,7 @@ int problem_family(const problem *p, const char *name)
 
 const problem *problem_of(const char *name, int *k)
 {
-    for (int i = 0; i < problem_count; i++)
+    for (int i = 0; i < PROBLEMS; i++)
         for (*k = 0; *k < problems[i]->methods; ++*k)
             if (strcmp(problems[i]->method[*k].name, name) == 0)
                 return problems[i];

@@ -102,12 +102,13 @@ typedef struct problem {
     void (*solve)(const double *x, truth *);
     judge_of *judge, *judge_sign;
     const char *measure[MEASURES]; // what the errors are counted in
+    const char *second;            // what the second of them is of, in a word
     int methods;
     const method *method; // the first is the baseline of costs
 } problem;
 
-extern const problem *const problems[];
-extern const int problem_count;
+enum { PROBLEMS = 13 };
+extern const problem *const problems[PROBLEMS];
 
 /** The family of this name, or -1. */
 int problem_family(const problem *p, const char *name);

@@ -141,6 +141,22 @@ START_TEST(a_folder_that_is_missing_is_made)
 }
 END_TEST
 
+START_TEST(a_page_of_another_name_leaves_the_first_one_alone)
+{
+    const char *folder = new_folder();
+    write_file(folder, "index.html", "the first page");
+    brink_report r;
+    brink_report_open_page(&r, folder, "second", "another page");
+    ck_assert_int_eq(brink_report_close(&r, stderr), 0);
+    char *first = whole_file(folder, "index.html");
+    char *second = whole_file(folder, "second.html");
+    ck_assert_str_eq(first, "the first page");
+    ck_assert_ptr_nonnull(strstr(second, "<title>another page</title>"));
+    free(first);
+    free(second);
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("report", 120, the_five_characters_are_escaped_and_no_other,
@@ -148,5 +164,6 @@ int main(void)
                      cells_fall_into_rows_with_a_heading_each,
                      a_page_that_failed_leaves_the_old_one_and_tells_why,
                      a_folder_that_cannot_be_made_is_told,
-                     a_folder_that_is_missing_is_made);
+                     a_folder_that_is_missing_is_made,
+                     a_page_of_another_name_leaves_the_first_one_alone);
 }

@@ -27,7 +27,7 @@ static int64_t random_integer(stream *s, int bits)
 }
 
 /** The lower and the upper root of a x^2 + 2 b x + c, by MPFR, without
- *  cancellation. */
+ * cancellation. */
 static void roots_by_mpfr(mpfr_t lower, mpfr_t upper, const number *a,
                           const number *b, const number *c, const mpfr_t d)
 {
@@ -101,7 +101,7 @@ START_TEST(quotients_are_correctly_rounded)
 END_TEST
 
 /** The root m 2^e (1 + nudge 2^-200), m odd and of 54 bits: at or beside a
- *  midpoint. */
+ * midpoint. */
 static double root_near_midpoint(int64_t m, int e, int nudge,
                                  enum brink_which which)
 {

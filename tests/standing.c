@@ -36,8 +36,11 @@ static int by_error(contest *c, int cases, uint64_t seed)
         for (int k = 0; !failed && k < p->methods; k++)
             c->of[k].family[f] = samples[k];
     }
-    for (int k = 0; !failed && k < p->methods; k++)
+    for (int k = 0; !failed && k < p->methods; k++) {
         failed = measure_pool(&c->of[k].all, p->families, c->of[k].family) != 0;
+        for (int f = 0; f < p->families; f++) // what is told of them are counts
+            measure_free(&c->of[k].family[f]);
+    }
     free(samples);
     return failed ? -1 : 0;
 }
@@ -67,14 +70,6 @@ void contest_free(contest *c)
         free(c->of[k].family);
     }
     free(c->of);
-}
-
-int contest_never_wrong(const contest *c)
-{
-    int count = 0;
-    for (int k = 0; k < c->problem->methods; k++)
-        count += measure_wrong(&c->of[k].all) == 0;
-    return count;
 }
 
 double standing_wrong(const standing *s)

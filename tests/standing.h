@@ -6,7 +6,7 @@
 
 typedef struct standing {
     const method *method;
-    sample *family; // one a family
+    sample *family; // one a family: counts, no errors
     sample all;     // of all families together, each the same number of cases
     double ns;      // a call on usual input
     double ratio;   // to the baseline's
@@ -22,9 +22,6 @@ typedef struct contest {
 int contest_hold(contest *c, const problem *p, int cases, uint64_t seed,
                  double seconds);
 void contest_free(contest *c);
-
-/** How many of the methods were never wrong. */
-int contest_never_wrong(const contest *c);
 
 /** What part of its answers were wrong. */
 double standing_wrong(const standing *s);

@@ -17,7 +17,7 @@ enum { KEPT, BROKEN, USAGE };
 static void list(FILE *out)
 {
     fprintf(out, "usage: ulp KERNEL [FAMILY] [COUNT] [SEED]\n");
-    for (int i = 0; i < problem_count; i++) {
+    for (int i = 0; i < PROBLEMS; i++) {
         const problem *p = problems[i];
         fprintf(out, "\n%s\n", p->title);
         for (int k = 0; k < p->methods; k++)
