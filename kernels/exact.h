@@ -24,8 +24,7 @@
  * throughout. */
 #define BRINK_INLINE static inline __attribute__((always_inline))
 
-// --- Error-free transforms
-// -----------------------------------------------------------
+// --- Error-free transforms -----------------------------------------------------
 
 typedef struct dd { // the unevaluated sum hi + lo, |lo| <= u |hi|
     double hi, lo;
@@ -53,11 +52,12 @@ BRINK_INLINE dd two_prod(double a, double b)
     return (dd){p, fma(a, b, -p)};
 }
 
-// --- Double-double
-// ------------------------------------------------------------------- Errors
-// relative to the exact result, barring over- and underflow.  The algorithms and
-// bounds are those of Joldes, Muller, Popescu (2017), ACM TOMS 44(2); the square
-// root's of Lefevre, Louvet, Muller, Picot, Rideau (2023), ACM TOMS 49(1), 1.
+// --- Double-double -------------------------------------------------------------
+//
+// Errors relative to the exact result, barring over- and underflow.  The
+// algorithms and bounds are those of Joldes, Muller, Popescu (2017), ACM TOMS
+// 44(2); the square root's of Lefevre, Louvet, Muller, Picot, Rideau (2023), ACM
+// TOMS 49(1), 1.
 
 BRINK_INLINE dd dd_negate(dd x)
 {
@@ -107,8 +107,7 @@ BRINK_INLINE dd dd_sqrt(dd x)
     return fast_two_sum(s, d / (2 * s)); // error <= 25/8 u^2
 }
 
-// --- Powers of two
-// -------------------------------------------------------------------
+// --- Powers of two -------------------------------------------------------------
 
 BRINK_INLINE uint64_t bits_of(double x)
 {
