@@ -12,6 +12,9 @@
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #ifdef __FAST_MATH__
 #error "brink rests on IEEE arithmetic: do not compile it with -ffast-math"
@@ -107,6 +110,29 @@ BRINK_INLINE dd dd_sqrt(dd x)
     return fast_two_sum(s, d / (2 * s)); // error <= 25/8 u^2
 }
 
+// --- Choices -------------------------------------------------------------------
+//
+// Without a branch, whatever the compiler thinks: these are asked where either
+// answer is as likely.
+
+BRINK_INLINE double larger(double x, double y) // y, if one is not a number
+{
+#ifdef __SSE2__
+    return _mm_cvtsd_f64(_mm_max_sd(_mm_set_sd(x), _mm_set_sd(y)));
+#else
+    return x > y ? x : y;
+#endif
+}
+
+BRINK_INLINE double smaller(double x, double y) // y, if one is not a number
+{
+#ifdef __SSE2__
+    return _mm_cvtsd_f64(_mm_min_sd(_mm_set_sd(x), _mm_set_sd(y)));
+#else
+    return x < y ? x : y;
+#endif
+}
+
 // --- Powers of two -------------------------------------------------------------
 
 BRINK_INLINE uint64_t bits_of(double x)
@@ -123,10 +149,20 @@ BRINK_INLINE double double_of(uint64_t b)
     return x;
 }
 
-/** 2^-400 <= x < 2^500: also tells NaN, infinities and the negative. */
+/** Whether all are in [2^-512, 2^512): also tells NaN, infinities and the
+ *  negative. */
+BRINK_INLINE int are_moderate(double x, double y, double z)
+{
+    const uint64_t least = 1023 - 512, exponents = 1024; // a power of two
+    uint64_t all = (bits_of(x) >> 52) - least;
+    all |= ((bits_of(y) >> 52) - least) | ((bits_of(z) >> 52) - least);
+    return all < exponents;
+}
+
+/** Whether x is in [2^-512, 2^512). */
 BRINK_INLINE int is_moderate(double x)
 {
-    return (bits_of(x) >> 52) - (1023 - 400) < 900;
+    return are_moderate(x, x, x);
 }
 
 /**

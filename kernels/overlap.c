@@ -54,8 +54,8 @@ static estimate ball_estimate(const scene *s)
 static void ball_exact(brink_dyadic *f, const scene *s)
 {
     const double *r = s->r;
-    const double x[4] = {r[0], r[1], r[2], s->sigma},
-                 y[4] = {r[0], r[1], r[2], -s->sigma};
+    const double x[4] = {r[0], r[1], r[2], s->sigma};
+    const double y[4] = {r[0], r[1], r[2], -s->sigma};
     brink_dyadic a, b, c, t, sum, product;
     brink_dyadic_dot(&a, 3, s->v, s->v);
     brink_dyadic_dot(&b, 3, r, s->v);
@@ -104,7 +104,7 @@ static const expression plane = {plane_estimate, plane_exact};
 /** Of a number that is not 0: its sign bit. */
 static int sign_of(double x)
 {
-    return 1 - 2 * (int)(bits_of(x) >> 63);
+    return -(int)(bits_of(x) >> 63) | 1;
 }
 
 static double value_of(const expression *f, const scene *s)
@@ -155,8 +155,7 @@ double brink_ball_overlap_rate(const double r[3], const double v[3])
 int brink_ball_overlap_rate_sign(const double r[3], const double v[3])
 {
     double x = r[0] * v[0], y = r[1] * v[1], z = r[2] * v[2];
-    double f = x + y + z,
-           size = fabs(x) + fabs(y) + fabs(z); // off by 3u of the size
+    double f = x + y + z, size = fabs(x) + fabs(y) + fabs(z); // 3u of the size
     if (fabs(f) > 0x1p-51 * size + 0x1p-1000)
         return sign_of(f);
     return sign_of_expression(&plane, &(scene){r, zero, v, zero, 0, 0});
