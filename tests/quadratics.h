@@ -150,7 +150,7 @@ static const quadratic_family quadratic_families[] = {
     {"integers", quadratic_integers},  {"scaled", quadratic_scaled},
     {"wild", quadratic_wild},          {"subnormal", quadratic_subnormal},
     {"huge", quadratic_huge},          {"midpoint", quadratic_midpoint},
-    {"sqrt", quadratic_sqrt_midpoint}, {"tiny root", quadratic_tiny_root},
+    {"sqrt", quadratic_sqrt_midpoint}, {"tiny", quadratic_tiny_root},
 };
 enum {
     QUADRATIC_FAMILIES = sizeof quadratic_families / sizeof *quadratic_families
