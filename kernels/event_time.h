@@ -15,8 +15,7 @@
  * Three tiers:
  *
  *     plain  event or none, now or later: exact, as the real numbers have it for
- *     the
- *            doubles given.  The time within BRINK_EVENT_TIME_ULP
+ *            the doubles given.  The time within BRINK_EVENT_TIME_ULP
  *     _fast  at the time answered the pair is within BRINK_EVENT_TIME_GAP eps
  *            (sigma + |v| t) of the surface; a pair that passes within some eps
  *            of the rim may be answered either way
@@ -43,10 +42,10 @@ extern "C" {
  * Returns    the time; 0 where the pair is inside or touching, and approaches;
  *            +inf where it never does; NaN outside the domain.  Never negative
  * Special    touching and parting: none; grazing with zero discriminant: none
- * Method     filters for those that recede or pass by, d = sigma^2 |v|^2 - |r x
- *            v|^2; t = c / (sqrt(d) - b), c, b and d from sums that carry their
- *            rounding errors.  What then is not certain: double-double, and exact
- *            numbers
+ * Method     filters for those that recede or pass by, with
+ *            d = sigma^2 |v|^2 - |r x v|^2; t = c / (sqrt(d) - b), c, b and d
+ *            from sums that carry their rounding errors.  What then is not
+ *            certain: double-double, and exact numbers
  * Source     [S16] algorithm 1; [B14] for what an event is
  * Checked    tests/event_time_test.c
  */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef BRINK_EVENT_TIME_LANES_H
 #define BRINK_EVENT_TIME_LANES_H
-/** Two doubles that go through the same arithmetic: less work for a single
- *  pair; not installed. */
+/** Two doubles that go through the same arithmetic, which is less work for a
+ *  single pair; not installed. */
 #include "event_time_sums.h"
 #ifdef __FMA__
 #include <immintrin.h>

@@ -220,7 +220,7 @@ BRINK_INLINE int is_touching(const double r[3], double sigma)
 
 /**
  * The same of a pair that is touching and does not graze: d = b^2 - a c loses
- * little then. a may be off by 3u, c by 1u + k, b by 1u; b^2, d, its root, the
+ * little then.  a may be off by 3u, c by 1u + k, b by 1u; b^2, d, its root, the
  * sum and the quotient are rounded.  With w = sqrt(d) / (sqrt(d) - b), which is
  * at most 1/2, the time is off by
  *

@@ -23,8 +23,7 @@
 #error "brink needs doubles to be rounded to double: -mfpmath=sse"
 #endif
 
-/** Always inlined, so that a body compiled for hardware with fma() has it
- * throughout. */
+/** Always inlined: a body compiled for hardware with fma() has it throughout. */
 #define BRINK_INLINE static inline __attribute__((always_inline))
 
 // --- Error-free transforms -----------------------------------------------------
@@ -177,8 +176,7 @@ BRINK_INLINE int is_told(dd x)
     return fma(x.lo, 1 + 0x1p-15, x.hi) == x.hi;
 }
 
-/** The biased exponent: 0 for zero and subnormals, 2047 for infinities and NaN.
- */
+/** The biased exponent: 0 of zero and subnormals, 2047 of infinities and NaN. */
 BRINK_INLINE int biased_exponent(double x)
 {
     return (int)(bits_of(x) >> 52 & 0x7ff);

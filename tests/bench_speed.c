@@ -4,15 +4,13 @@
 #include <brink/event_time.h>
 #include <stddef.h>
 
-// --- Batches
-// -------------------------------------------------------------------------
+// --- Batches -------------------------------------------------------------------
 
 typedef void batch(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
 
-/** A batch on each path; weak, as a build may have one path only, without a name.
- */
+/** A batch on each path; weak, as a build may have but one, under no name. */
 #define BATCH(name)                                                              \
     batch name##_any __attribute__((weak)), name##_fma __attribute__((weak)),    \
         name##_avx512 __attribute__((weak));                                     \
@@ -49,8 +47,7 @@ static int machine_has(enum path path)
 #endif
 }
 
-// --- The table
-// -----------------------------------------------------------------------
+// --- The table -----------------------------------------------------------------
 
 typedef struct line {
     const char *kernel, *family, *baseline; // methods by name

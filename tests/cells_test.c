@@ -127,8 +127,7 @@ START_TEST(what_is_ahead_is_what_was_not_adjacent_before)
 }
 END_TEST
 
-// Followed through its crossings, a particle is where its cell says, to a
-// rounding.
+// Followed through its crossings, a particle is where its cell says, or nearly.
 START_TEST(crossings_keep_the_cell_in_step_with_the_position)
 {
     gsl_rng *rng = seeded(4);

@@ -36,8 +36,8 @@ static void report(const char *name, const char *family, int i,
                  p->v[1], p->v[2], p->sigma, got, mpfr_get_d(exact, ORACLE_N));
 }
 
-/** Event or none, now or later: exact.  The time within the bound; a tie to even.
- */
+/** Event or none, now or later: exact.  The time within the bound, and for 0.5
+ *  the nearest double, a tie to even. */
 static void keep(const promise *its, const char *family, int i,
                  const pair_case *p)
 {
@@ -268,7 +268,7 @@ END_TEST
 
 START_TEST(the_printed_algorithm_2_would_say_now)
 {
-    // a = 1, b = -1, c = 0: -c / (sqrt(b^2 - a c) + b) = -0 / 0.  The answer
+    // a = 1, b = -1, c = 0: -c / (sqrt(b^2 - a c) + b) = -0 / 0, and the answer
     // is 2.
     const double r[3] = {1, 0, 0}, v[3] = {-1, 0, 0};
     ck_assert_double_eq(brink_disjoint_time(r, v, 1), 2);

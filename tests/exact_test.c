@@ -120,8 +120,7 @@ END_TEST
 
 START_TEST(what_is_told_is_the_nearest_double)
 {
-    // Values within 2^-70 of x.hi + x.lo: both ends must round to x.hi if it is
-    // told.
+    // If it is told, x.hi + x.lo moved by 2^-70 either way rounds to x.hi.
     stream s = {SEED};
     mpfr_t z, slack;
     mpfr_inits2(ORACLE_BITS, z, slack, (mpfr_ptr)0);
@@ -172,8 +171,7 @@ END_TEST
 
 START_TEST(nothing_is_contracted)
 {
-    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; with a fused operation 2^-54
-    // is left.
+    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; fused, 2^-54 is left.
     volatile double a = 1 + 0x1p-27, c = -(1 + 0x1p-26);
     double left = a * a + c;
     ck_assert_double_eq(left, 0);

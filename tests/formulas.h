@@ -22,8 +22,7 @@ INLINED REAL NAME(positive)(REAL x)
     return x > 0 ? x : 0;
 }
 
-// --- Quadratics
-// ----------------------------------------------------------------------
+// --- Quadratics ----------------------------------------------------------------
 
 /** The roots for d = b^2 - 4 a c. */
 INLINED int NAME(roots_for)(double a, double b, double c, REAL d, double *x0,
@@ -49,8 +48,7 @@ FORMULA int NAME(roots)(double a, double b, double c, double *x0, double *x1)
     return NAME(roots_for)(a, b, c, (REAL)b * b - 4 * (REAL)a * c, x0, x1);
 }
 
-// --- Event times
-// ---------------------------------------------------------------------
+// --- Event times ---------------------------------------------------------------
 
 /** [S16] algorithm 1 from its a, b, c and arg. */
 INLINED double NAME(intersection_for)(REAL b, REAL c, REAL arg)
@@ -98,8 +96,7 @@ FORMULA double NAME(halfspace_time)(const double r[3], const double v[3],
     return rate < 0 ? (double)NAME(positive)(f / -rate) : (double)INFINITY;
 }
 
-// --- Overlaps
-// ------------------------------------------------------------------------
+// --- Overlaps ------------------------------------------------------------------
 
 FORMULA double NAME(ball)(const double r[3], double sigma)
 {
@@ -153,8 +150,7 @@ FORMULA double NAME(halfspace_at)(const double r[3], const double v[3],
     return (double)f;
 }
 
-// --- Impulses
-// ------------------------------------------------------------------------
+// --- Impulses ------------------------------------------------------------------
 
 /** b = r.(v1 - v2) changed along the line of centres; the virial. */
 INLINED REAL NAME(kick)(const double r[3], double m1, double m2, REAL change,

@@ -98,8 +98,7 @@ static int oracle_impulse(mpfr_t change, mpfr_t rr, const impact *p)
     mpfr_div(after, after, mass, ORACLE_N);
     mpfr_sqr(change, b, ORACLE_N);
     mpfr_sub(after, change, after, ORACLE_N);
-    // That quotient is rounded, to 9000 bits: a tie is seen as one where it is
-    // one.
+    // That quotient is rounded, to 9000 bits: what is equal is seen to be.
     int crosses = mpfr_sgn(after) > 0;
     if (crosses)
         mpfr_sqrt(after, after, ORACLE_N);
@@ -284,8 +283,8 @@ END_TEST
 START_TEST(equality_is_decided_where_double_double_cannot)
 {
     // m1 = 2 i (i + j), m2 = 2 j (i + j): mu = 2 i j, but not so in
-    // double-double, where j / (i + j) comes first.  v = k r: mu b^2 / (2 r.r) =
-    // i j k^2 r.r.
+    // double-double, where j / (i + j) comes first.  v = k r, so
+    // mu b^2 / (2 r.r) = i j k^2 r.r.
     stream s = {SEED};
     for (int c = 0; c < CASES; c++) {
         double i = stream_int(&s, 1, 1 << 8), j = stream_int(&s, 1, 1 << 8);

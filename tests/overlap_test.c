@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cases.h"
-#include "oracle.h"
+#include "oracle_overlap.h"
 #include "pairs.h"
 #include "suite.h"
 #include <brink/overlap.h>
@@ -22,38 +22,6 @@ typedef struct quantity {
 } quantity;
 
 static const double zero[3] = {0, 0, 0};
-
-static void exact_ball(mpfr_t f, const scene *s, double t)
-{
-    mpfr_t x;
-    mpfr_init2(x, ORACLE_BITS);
-    mpfr_set_zero(f, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(x, s->p.r[i], ORACLE_N);
-        oracle_add(x, 1, s->p.v[i], t);
-        mpfr_sqr(x, x, ORACLE_N);
-        mpfr_add(f, f, x, ORACLE_N);
-    }
-    oracle_add(f, -1, s->p.sigma, s->p.sigma);
-    mpfr_clear(x);
-}
-
-/** n.(r + v t - c) */
-static void exact_plane(mpfr_t f, const double n[3], const double r[3],
-                        const double v[3], const double c[3], double t)
-{
-    mpfr_t x;
-    mpfr_init2(x, ORACLE_BITS);
-    mpfr_set_zero(f, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(x, r[i], ORACLE_N);
-        oracle_add(x, 1, v[i], t);
-        mpfr_sub_d(x, x, c[i], ORACLE_N);
-        mpfr_mul_d(x, x, n[i], ORACLE_N);
-        mpfr_add(f, f, x, ORACLE_N);
-    }
-    mpfr_clear(x);
-}
 
 #define QUANTITY(name, value_call, sign_call, exact_call)                        \
     static double name##_value(const scene *s)                                   \
@@ -77,22 +45,23 @@ static void exact_plane(mpfr_t f, const double n[3], const double r[3],
 #define T     s->t
 
 QUANTITY(ball, brink_ball_overlap(R, SIGMA), brink_ball_overlap_sign(R, SIGMA),
-         exact_ball(f, s, 0))
+         oracle_ball(f, R, V, SIGMA, 0))
 QUANTITY(ball_rate, brink_ball_overlap_rate(R, V),
-         brink_ball_overlap_rate_sign(R, V), exact_plane(f, V, R, zero, zero, 0))
+         brink_ball_overlap_rate_sign(R, V), oracle_plane(f, R, zero, V, zero, 0))
 QUANTITY(ball_at, brink_ball_overlap_at(R, V, SIGMA, T),
-         brink_ball_overlap_sign_at(R, V, SIGMA, T), exact_ball(f, s, T))
+         brink_ball_overlap_sign_at(R, V, SIGMA, T),
+         oracle_ball(f, R, V, SIGMA, T))
 QUANTITY(ball_rate_at, brink_ball_overlap_rate_at(R, V, T),
          brink_ball_overlap_rate_sign_at(R, V, T),
-         exact_plane(f, V, R, V, zero, T))
+         oracle_plane(f, R, V, V, zero, T))
 QUANTITY(halfspace, brink_halfspace_overlap(R, N, C),
-         brink_halfspace_overlap_sign(R, N, C), exact_plane(f, N, R, zero, C, 0))
+         brink_halfspace_overlap_sign(R, N, C), oracle_plane(f, R, zero, N, C, 0))
 QUANTITY(halfspace_rate, brink_halfspace_overlap_rate(V, N),
          brink_halfspace_overlap_rate_sign(V, N),
-         exact_plane(f, N, V, zero, zero, 0))
+         oracle_plane(f, V, zero, N, zero, 0))
 QUANTITY(halfspace_at, brink_halfspace_overlap_at(R, V, N, C, T),
          brink_halfspace_overlap_sign_at(R, V, N, C, T),
-         exact_plane(f, N, R, V, C, T))
+         oracle_plane(f, R, V, N, C, T))
 
 #define QUANTITY_OF(name)                                                        \
     {                                                                            \
@@ -180,8 +149,7 @@ END_TEST
 START_TEST(perpendicular_is_neither_coming_nor_going)
 {
     stream random = {SEED};
-    for (int i = 0; i < 10000;
-         i++) { // r x (r x v), in whole numbers: exactly perpendicular
+    for (int i = 0; i < 10000; i++) { // (a, b, ab).(b, -a, 0) = 0
         double a = stream_int(&random, -30000, 30000),
                b = stream_int(&random, -30000, 30000);
         const double r[3] = {a, b, a * b}, v[3] = {b, -a, 0};

@@ -3,7 +3,7 @@
 #define TESTS_PAIRS_H
 /**
  * Families of pairs: what a kernel meets in a simulation, and what breaks
- * kernels. Shared by the tests, the ulp tool and the bench.
+ * kernels.  Shared by the tests, the ulp tool and the bench.
  */
 #include "random.h"
 #include <string.h>
@@ -96,8 +96,7 @@ static inline void family_grazing(stream *s, pair_case *p)
     p->sigma = stream_near(s, 1, 2);
 }
 
-/** Grazing inside the rim at r = sigma (1 + a few ulp), hardly moving outward or
- * in. */
+/** On the rim at r = sigma (1 + a few ulp), hardly moving outward or inward. */
 static inline void family_rim(stream *s, pair_case *p)
 {
     family_grazing(s, p);
@@ -126,8 +125,8 @@ static inline void family_axial(stream *s, pair_case *p)
         p->v[axis] = stream_scaled(s, -80, -10);
 }
 
-/** Small integers: exact contacts, tangents, r = 0, v = 0 and sigma = 0 among
- * them. */
+/** Small integers, exact contacts, tangents, r = 0, v = 0, sigma = 0 among
+ *  them. */
 static inline void family_integers(stream *s, pair_case *p)
 {
     for (int i = 0; i < 3; i++) {
@@ -137,8 +136,8 @@ static inline void family_integers(stream *s, pair_case *p)
     p->sigma = stream_int(s, 0, 7);
 }
 
-/** Exact tangents in integers: r = back v + a vector perpendicular to v of whole
- * length. */
+/** Exact tangents in integers: r = a vector of whole length perpendicular to v,
+ *  less back v. */
 static inline void family_tangent(stream *s, pair_case *p)
 {
     double m = stream_int(s, 1, 4096), n = stream_int(s, 1, 4096);
@@ -153,8 +152,7 @@ static inline void family_tangent(stream *s, pair_case *p)
         p->sigma = stream_near(s, p->sigma, 1);
 }
 
-/** On a line: the time is (r - sigma) / v, which can be a tie between two
- * doubles. */
+/** On a line: the time, (r - sigma) / v, can be a tie between two doubles. */
 static inline void family_line(stream *s, pair_case *p)
 {
     memset(p, 0, sizeof *p);

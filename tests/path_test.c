@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every path gives the same bits: each is called by
-// name, where the library has it and the processor can, and compared with the
-// path that has neither vectors nor fma() in
-// hardware.  A compiler that contracted a * b + c would be seen here too.
+// Every path gives the same bits: each is called by name, where the library has
+// it and the processor can, and compared with the path that has neither vectors
+// nor fma() in hardware.  A compiler that contracted a * b + c would show, too.
 #include "pairs.h"
 #include "quadratics.h"
 #include "suite.h"

@@ -32,8 +32,7 @@ static double rise_for(int k, stream *s, double mu, double b, double vv)
     }
 }
 
-/** On the surface to a few ulp; masses up to 1e12 apart, but in the first family.
- */
+/** On the surface to a few ulp; masses up to 1e12 apart, or equal in EQUAL. */
 static void make(int k, stream *s, double *x)
 {
     fill_normal(s, x + R, 1);
@@ -80,8 +79,7 @@ static void make_core(int k, stream *s, double *x)
     memcpy(x, step, 11 * sizeof *x);
 }
 
-// --- The right answers
-// ---------------------------------------------------------------
+// --- The right answers ---------------------------------------------------------
 
 /** Crossed where m1 m2 b^2 > 2 rise r.r (m1 + m2). */
 static void solve(const double *x, truth *t)
@@ -179,8 +177,7 @@ static verdict judge(const double *x, const truth *t, int n, const double *y)
     return v;
 }
 
-// --- Ways
-// ----------------------------------------------------------------------------
+// --- Ways ----------------------------------------------------------------------
 
 /** What a kernel leaves in v1, v2 and the virial, as an answer. */
 static void take(answers *out, int i, const double v1[3], const double v2[3],

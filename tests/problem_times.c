@@ -42,12 +42,10 @@ static void solve_disjoint(const double *x, truth *t)
     mpfr_clear(time);
 }
 
-// --- The distance from the surface
-// ---------------------------------------------------
+// --- The distance from the surface ---------------------------------------------
 //
-// In long double: of 64 bits, 11 more than those that are measured, so the result
-// is good to a percent where it is more than a few eps; its exponents reach every
-// square.
+// In long double: its 64 bits are 11 more than those that are measured, so what
+// is more than a few eps is good to a percent; its exponents reach every square.
 
 static long double size_of(const double x[3])
 {
@@ -93,8 +91,7 @@ static double gap_of_intersection(const double *x, double t)
     return isinf(t) ? depth_missed(x) : in_eps(x, distance_at(x, t) - x[6], t);
 }
 
-// --- Verdicts
-// ------------------------------------------------------------------------
+// --- Verdicts ------------------------------------------------------------------
 
 /** Of a time that is right, but has lost digits to the end of the range of
  * doubles, no double would put the pair on the surface. */
@@ -130,8 +127,7 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     return v;
 }
 
-// --- Ways
-// ----------------------------------------------------------------------------
+// --- Ways ----------------------------------------------------------------------
 
 #define TIMES(kernel) LOOP(kernel##_loop, out->x[0][i] = kernel(p, p + 3, p[6]))
 

@@ -92,9 +92,10 @@ typedef struct problem {
     const char *title; // of a section
     const char *about;
     int width, outputs;
-    const signed char
-        *paste; // where the numbers of a line of tests/*.wc are among
-    int pasted; // the inputs, -1 for a 0; NULL: as they come
+    // Where among the inputs are the `pasted` numbers that make a line of
+    // tests/*.wc, -1 for a 0; NULL: as they come
+    const signed char *paste;
+    int pasted;
     int families;
     const char *(*family)(int);
     void (*make)(int family, stream *, double *x);
@@ -128,7 +129,7 @@ void real_from(real *x, const mpfr_t exact);
  * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024,
  * so rounding to infinity from the edge is an error like any other.  0 where x is
  * the infinity the exact value is or rounds to; +inf for NaN and for a missed
- * infinity. As oracle_ulps, at once.
+ * infinity.  As oracle_ulps, at once.
  */
 double real_ulps(double x, const real *exact);
 
@@ -137,12 +138,10 @@ double real_ulps(double x, const real *exact);
  * explains. */
 int real_is_spurious(double x, const real *exact);
 
-/** Of an event's time t: whether there is one, and when.  By the first measure.
- */
+/** Of an event's time t, by the first measure: is there one, and when? */
 verdict problem_judge_time(const real *exact, double t);
 
-/** The loop over a kernel: statements with *p, the inputs of case i, into *out.
- */
+/** The loop over a kernel: statements with *p, case i's inputs, into *out. */
 #define LOOP(name, ...)                                                          \
     static void name(const inputs *in, answers *out)                             \
     {                                                                            \

@@ -96,8 +96,8 @@ END_TEST
 
 START_TEST(scaling_by_a_power_of_two_loses_no_root)
 {
-    // t^2 - 3 t + 2 = 0.  GSL 2.7.1 finds no root at 2^665 and a double root at
-    // 2^-665.
+    // t^2 - 3 t + 2 = 0.  GSL 2.7.1 finds no root at 2^665, and one of 1.5 twice
+    // at 2^-665.
     for (int e = -1074; e < 1022; e++) {
         double x0, x1, s = ldexp(1, e);
         ck_assert_int_eq(brink_quadratic_roots(s, -3 * s, 2 * s, &x0, &x1), 2);
