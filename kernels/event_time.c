@@ -27,7 +27,7 @@ double brink_intersection_time(const double r[3], const double v[3], double sigm
     rate b = rate_of(r, v);
     if (sigma_in_range(sigma)) {
         if (is_positive(b))
-            return 0x1p60;
+            return (double)INFINITY;
         if (is_negative(b)) {
             double t = is_touching(r, sigma) ? touching_time(r, v, sigma) : -1;
             if (t >= 0)

@@ -42,9 +42,9 @@ static double intersection_exact(const double r[3], const double v[3],
     exact_path_make(&p, r, v, sigma);
     if (p.b.sign >= 0)
         return (double)INFINITY;
-    if (p.c.sign < 0)
+    if (p.c.sign <= 0)
         return 0;
-    if (p.d.sign < 0)
+    if (p.d.sign <= 0)
         return (double)INFINITY;
     return brink_dyadic_root(&p.a, &p.b, &p.c, &p.d, BRINK_LOWER);
 }

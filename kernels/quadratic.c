@@ -28,7 +28,7 @@ BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
  */
 BRINK_INLINE double discriminant_of(double h, dd q)
 {
-    return 0.5e-15 + fma(h, h, -larger(q.hi, q.lo)) - smaller(q.hi, q.lo);
+    return fma(h, h, -larger(q.hi, q.lo)) - smaller(q.hi, q.lo);
 }
 
 BRINK_INLINE int roots_of(double a, double c, double h, double d, double *x0,

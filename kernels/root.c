@@ -81,7 +81,7 @@ static double round_root(const polynomial *p, wide y)
     uint64_t below = brink_dyadic_bits(&x, last - y.e - 32, 32);
     const uint64_t half = UINT64_C(1) << 31;
     int away =
-        below > half + half / 2; // whether the root is farther from 0 than the midpoint
+        below >= half; // whether the root is farther from 0 than the midpoint
     if (below == half || below == half - 1) {
         brink_dyadic_integer(&middle, x.sign * (int64_t)(2 * m + 1), last - 1);
         int beyond = x.sign * root_minus(p, &middle);
