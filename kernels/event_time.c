@@ -75,24 +75,32 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
 
 // --- Fast ----------------------------------------------------------------------
 
+/** Of a pair that is in range. */
+BRINK_INLINE double meeting_time_fast(const outline *o)
+{
+    if (o->b >= 0 || o->d <= 0)
+        return (double)INFINITY;
+    double t = (o->c > 0 ? o->c : 0) / (sqrt(o->d) - o->b);
+    return is_too_late(o, t) ? -o->b / o->a : t;
+}
+
+static __attribute__((noinline)) double
+intersection_rescued(const double r[3], const double v[3], double sigma)
+{
+    scaled_pair p;
+    if (!scale_pair(&p, r, v, sigma))
+        return (double)NAN;
+    outline o = outline_of(p.r, p.v, p.sigma);
+    return unscaled_time(&p, meeting_time_fast(&o));
+}
+
 double brink_intersection_time_fast(const double r[3], const double v[3],
                                     double sigma)
 {
-    double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
-    chord k = chord_of(r, v, sigma);
-    if (!(are_in_range(k.a, rr, ss) && sigma > 0))
-        return brink_intersection_time_slow(r, v, sigma);
-    if (b >= 0)
-        return (double)INFINITY;
-    double c = rr - ss;
-    if (c <= 0)
-        return 0;
-    double sum = sqrt(k.d > 0 ? k.d : 0) - b; // begun before its need is known
-    if (k.d > 0x1p-40 * k.s)                  // away from the rim
-        return c / sum;
-    if (k.d <= 0)
-        return (double)INFINITY;
-    return is_too_late(b, c, k, sum) ? -b / k.a : c / sum;
+    outline o = outline_of(r, v, sigma);
+    if (!is_in_range_fast(&o, sigma))
+        return intersection_rescued(r, v, sigma);
+    return meeting_time_fast(&o);
 }
 
 double brink_disjoint_time_fast(const double r[3], const double v[3],

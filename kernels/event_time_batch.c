@@ -100,17 +100,12 @@ static void meet_fast(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
-        double c = rr - ss;
-        chord k = chord_of(r, v, sigma);
-        int certain = are_in_range(k.a, rr, ss) & (sigma > 0);
-        int never = (b >= 0) | ((c > 0) & (k.d <= 0));
-        double sum = sqrt(k.d > 0 ? k.d : 0) - b;
-        int late = is_too_late(b, c, k, sum);
-        double time = (late ? -b : c) / (late ? k.a : sum);
-        time = c > 0 ? time : 0;
+        outline o = outline_of(r, v, sigma);
+        int never = (o.b >= 0) | (o.d <= 0);
+        double time = (o.c > 0 ? o.c : 0) / (sqrt(o.d > 0 ? o.d : 0) - o.b);
+        time = is_too_late(&o, time) ? -o.b / o.a : time;
         time = never ? (double)INFINITY : time;
-        t[i] = certain ? time : -1;
+        t[i] = is_in_range_fast(&o, sigma) ? time : -1;
     }
 }
 
