@@ -17,8 +17,9 @@
  *     plain  event or none, now or later: exact, as the real numbers have it for
  *            the doubles given.  The time within BRINK_EVENT_TIME_ULP
  *     _fast  at the time answered the pair is within BRINK_EVENT_TIME_GAP eps
- *            (sigma + |v| t) of the surface; a pair that passes within some eps
- *            of the rim may be answered either way
+ *            (sigma + |v| t) of the surface; a pair that passes within as
+ *            many eps of the rim, or is inside and has an r.v within some eps of
+ *            0, may be answered either way
  *     _cr    as plain, the time correctly rounded, ties to even
  *
  * A time too large or too small for a double is +inf or 0, as any result rounds.
