@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: MIT
 #ifndef BRINK_EVENT_TIME_LANES_H
 #define BRINK_EVENT_TIME_LANES_H
-/** Two doubles that go through the same arithmetic, which is less work for a
- *  single pair; not installed. */
+/** What the event times do in two lanes; not installed. */
 #include "event_time_sums.h"
-#ifdef __FMA__
-#include <immintrin.h>
-#endif
-
-typedef double two_lanes __attribute__((vector_size(16)));
-
-BRINK_INLINE two_lanes lanes_fma(two_lanes x, two_lanes y, two_lanes z)
-{
-#ifdef __FMA__ // what is below would not be recognised as one instruction
-    return (two_lanes)_mm_fmadd_pd((__m128d)x, (__m128d)y, (__m128d)z);
-#else
-    return (two_lanes){fma(x[0], y[0], z[0]), fma(x[1], y[1], z[1])};
-#endif
-}
+#include "lanes.h"
 
 /** x + y - s for s = x + y rounded: exact. */
 BRINK_INLINE two_lanes lanes_lost(two_lanes s, two_lanes x, two_lanes y)

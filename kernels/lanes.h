@@ -5,15 +5,14 @@
  * Two doubles that go through the same arithmetic: less work for one input than
  * one after the other, divisions above all; not installed.
  */
-#include <math.h>
+#include "exact.h"
 #ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
 typedef double two_lanes __attribute__((vector_size(16)));
 
-static inline __attribute__((always_inline)) two_lanes
-lanes_fma(two_lanes x, two_lanes y, two_lanes z)
+BRINK_INLINE two_lanes lanes_fma(two_lanes x, two_lanes y, two_lanes z)
 {
 #ifdef __FMA__ // what is below would not be recognised as one instruction
     return (two_lanes)_mm_fmadd_pd((__m128d)x, (__m128d)y, (__m128d)z);
@@ -22,11 +21,10 @@ lanes_fma(two_lanes x, two_lanes y, two_lanes z)
 #endif
 }
 
-/** Whether both lanes of x + y, |y| <= 2u |x|, tell which double is the nearest to
- *  what they stand for, when they are that to 2^-82: see is_told.  The doubles go
- *  to *nearest. */
-static inline __attribute__((always_inline)) int
-lanes_are_told(two_lanes x, two_lanes y, two_lanes *nearest)
+/** Whether x + y, |y| <= 2u |x|, tells in both lanes which double is nearest to
+ *  what it stands for, when that is known to 2^-82 of itself: see is_told.  The
+ *  doubles go to *nearest. */
+BRINK_INLINE int lanes_are_told(two_lanes x, two_lanes y, two_lanes *nearest)
 {
     const two_lanes margin = {1 + 0x1p-27, 1 + 0x1p-27};
     two_lanes hi = x + y, again = lanes_fma(y - (hi - x), margin, hi);

@@ -160,8 +160,8 @@ roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
  * root is to within 2.2u that of d, and its residual d - root^2 off by 14u^2 of
  * the size h^2 + |a c|: what is left of d behind t and rest is 3u^2, and 7u^2 and
  * 4u^2 are the roundings.  With it the root is off by 7u^2 size / sqrt(d) <= 7u^2
- * 2^20 sqrt(size); s is no less than sqrt(size / 2), so s / a and c / s are off by
- * 2^-82 at most.  The inverses may be off by some u: the residuals of their
+ * 2^20 sqrt(size); s is no less than sqrt(size / 2), so s / a and c / s are off
+ * by 2^-82 at most.  The inverses may be off by some u: the residuals of their
  * products make that good.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)

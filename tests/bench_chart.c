@@ -54,7 +54,7 @@ static void mark_make(mark *m, const contest *c, int k, int measure)
     *m = (mark){
         .of = s,
         .colour = colour_of(c, k),
-        .is_ours = s->method->rank < RANK_FORMULA,
+        .is_ours = s->method->rank <= RANK_SIGN,
         .is_wrong = isinf(max) || (measure == 0 && measure_wrong(&s->all) > 0),
         .share = measure == 0 ? standing_wrong(s)
                               : standing_above(s, measure, DBL_MAX),
@@ -75,7 +75,7 @@ int chart_make(chart *g, const contest *c, int measure)
     g->out = open_memstream(&g->script, &g->size);
     for (int k = 0; g->mark != NULL && k < methods; k++) {
         mark *m = &g->mark[g->marks];
-        if (c->of[k].method->rank == RANK_SIGN) // has no error
+        if (rank_is_sign(c->of[k].method->rank)) // has no error
             continue;
         mark_make(m, c, k, measure);
         if (!m->is_wrong)

@@ -94,7 +94,7 @@ static void tell_rivals(FILE *out, const contest *c)
     const standing *best = NULL;
     for (int k = 0; k < c->problem->methods; k++) {
         const standing *s = &c->of[k];
-        if (s->method->rank < RANK_FORMULA || s->method->rank == RANK_JUDGE)
+        if (s->method->rank <= RANK_SIGN || s->method->rank == RANK_JUDGE)
             continue;
         rivals++;
         if (measure_wrong(&s->all) > 0)

@@ -30,12 +30,13 @@ FLOORS = """
     overlap quadratic
     root
     dyadic
+    lanes
     exact path
 """
 
 ROOT = pathlib.Path(sys.argv[1])
 CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
-HEADER_ONLY = {"exact", "path", "sum"}
+HEADER_ONLY = {"exact", "lanes", "path", "sum"}
 LONGEST_LINE = 82
 faults = []
 

@@ -68,12 +68,18 @@ enum rank {
     RANK_FAST,
     RANK_PLAIN,
     RANK_CR,
-    RANK_SIGN,    // answers with a sign alone
-    RANK_FORMULA, // here begin the rivals
+    RANK_SIGN,       // answers with a sign alone
+    RANK_NAIVE_SIGN, // here begin the rivals
+    RANK_FORMULA,
     RANK_LIBRARY,
     RANK_WIDE,
     RANK_JUDGE // what all others are judged by
 };
+
+static inline int rank_is_sign(enum rank r)
+{
+    return r == RANK_SIGN || r == RANK_NAIVE_SIGN;
+}
 
 typedef verdict judge_of(const double *x, const truth *, int n, const double *y);
 
