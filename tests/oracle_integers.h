@@ -19,8 +19,8 @@ static inline int sign_of_whole(whole x)
     return (x > 0) - (x < 0);
 }
 
-/** -1, 0, 1: M 2^-k lies before, on, or behind the lower (which = -1) or upper (1)
- *  root of a x^2 + b x + c, a > 0, which has real ones. */
+/** -1, 0, 1: M 2^-k lies before, on, or behind the lower (which = -1) or upper
+ *  (1) root of a x^2 + b x + c, a > 0, which has real ones. */
 static inline int side_of_root(int a, int b, int c, int which, whole M, int k)
 {
     const whole unit = (whole)1 << k, slope = 2 * a * M + b * unit;
