@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How often the correctly rounded tiers come to exact arithmetic, and in it to the
-// sign at a midpoint: as seldom as they should, and always where they must.  The
-// linker leads the calls of brink_dyadic_root and, from within it, those that make
-// a midpoint, through here; so a slow path that nothing reached would show.
+// How often the correctly rounded tiers come to exact arithmetic, and in it to
+// the sign at a midpoint: as seldom as they should, and always where they must.
+// The linker leads the calls of brink_dyadic_root, and those that make a midpoint
+// in it, through here: so a slow path that nothing reached would show.
 #include "pairs.h"
 #include "quadratics.h"
 #include "suite.h"
