@@ -3,7 +3,7 @@
 // energy, in ulp of the largest kinetic energy of one of them, and its momentum,
 // in ulp of the largest |m v|.
 #include "arithmetics.h"
-#include "oracle.h"
+#include "oracle_impulse.h"
 #include "pairs.h"
 #include "problems_all.h"
 #include <brink/impulse.h>
@@ -81,88 +81,22 @@ static void make_core(int k, stream *s, double *x)
 
 // --- The right answers ---------------------------------------------------------
 
-/** Crossed where m1 m2 b^2 > 2 rise r.r (m1 + m2). */
+static oracle_pair pair_of(const double *masses, const double *v1,
+                           const double *v2)
+{
+    return (oracle_pair){masses[0], masses[1], v1, v2};
+}
+
 static void solve(const double *x, truth *t)
 {
-    mpfr_t b, rr, mass;
-    mpfr_inits2(ORACLE_BITS, b, rr, mass, (mpfr_ptr)0);
-    mpfr_set_zero(b, 1);
-    mpfr_set_zero(rr, 1);
-    for (int i = 0; i < 3; i++) {
-        oracle_add(b, 1, x[R + i], x[V1 + i]);
-        oracle_add(b, -1, x[R + i], x[V2 + i]);
-        oracle_add(rr, 2, x[R + i], x[R + i]);
-    }
-    mpfr_set_d(mass, x[M1], ORACLE_N);
-    mpfr_add_d(mass, mass, x[M2], ORACLE_N);
-    mpfr_mul(rr, rr, mass, ORACLE_N);
-    mpfr_mul_d(rr, rr, x[RISE], ORACLE_N);
-    mpfr_sqr(b, b, ORACLE_N);
-    mpfr_mul_d(b, b, x[M1], ORACLE_N);
-    mpfr_mul_d(b, b, x[M2], ORACLE_N);
-    t->n = mpfr_cmp(b, rr) > 0;
-    mpfr_clears(b, rr, mass, (mpfr_ptr)0);
+    const oracle_pair p = pair_of(x + M1, x + V1, x + V2);
+    t->n = oracle_crosses(x + R, x[RISE], &p);
 }
 
 static void solve_core(const double *x, truth *t)
 {
     (void)x;
     t->n = 0;
-}
-
-static double ulp_of(double x)
-{
-    return nextafter(fabs(x), (double)INFINITY) - fabs(x);
-}
-
-/** z += factor m v.v / 2; returns the kinetic energy. */
-static double add_energy(mpfr_t z, int factor, double m, const double v[3])
-{
-    mpfr_t e;
-    mpfr_init2(e, ORACLE_BITS);
-    mpfr_set_zero(e, 1);
-    for (int i = 0; i < 3; i++)
-        oracle_add(e, 1, v[i], v[i]);
-    mpfr_mul_d(e, e, m / 2, ORACLE_N);
-    const double energy = mpfr_get_d(e, ORACLE_N);
-    mpfr_mul_si(e, e, factor, ORACLE_N);
-    mpfr_add(z, z, e, ORACLE_N);
-    mpfr_clear(e);
-    return energy;
-}
-
-/** y: the velocities afterwards. */
-static double energy_error(const double *x, const double *y, double rise)
-{
-    mpfr_t change;
-    mpfr_init2(change, ORACLE_BITS);
-    mpfr_set_d(change, rise, ORACLE_N);
-    double largest = add_energy(change, -1, x[M1], x + V1);
-    largest = fmax(largest, add_energy(change, -1, x[M2], x + V2));
-    largest = fmax(largest, add_energy(change, 1, x[M1], y));
-    largest = fmax(largest, add_energy(change, 1, x[M2], y + 3));
-    const double error = fabs(mpfr_get_d(change, ORACLE_N)) / ulp_of(largest);
-    mpfr_clear(change);
-    return error;
-}
-
-static double momentum_error(const double *x, const double *y)
-{
-    const double size = fmax(x[M1] * fmax(length_of(x + V1), length_of(y)),
-                             x[M2] * fmax(length_of(x + V2), length_of(y + 3)));
-    double error = 0;
-    mpfr_t change;
-    mpfr_init2(change, ORACLE_BITS);
-    for (int k = 0; k < 3; k++) {
-        mpfr_set_zero(change, 1);
-        oracle_add(change, -1, x[M1], x[V1 + k]);
-        oracle_add(change, -1, x[M2], x[V2 + k]);
-        oracle_add(change, 1, x[M1], y[k]);
-        oracle_add(change, 1, x[M2], y[3 + k]);
-        error = fmax(error, fabs(mpfr_get_d(change, ORACLE_N)) / ulp_of(size));
-    }
-    mpfr_clear(change);
-    return error;
 }
 
 static verdict judge(const double *x, const truth *t, int n, const double *y)
@@ -172,8 +106,10 @@ static verdict judge(const double *x, const truth *t, int n, const double *y)
         if (!isfinite(y[k]))
             return (verdict){WRONG_SPURIOUS,
                              {(double)INFINITY, (double)INFINITY}};
-    v.error[0] = energy_error(x, y, n ? x[RISE] : 0);
-    v.error[1] = momentum_error(x, y);
+    const oracle_pair before = pair_of(x + M1, x + V1, x + V2);
+    const oracle_pair after = pair_of(x + M1, y, y + 3);
+    v.error[0] = oracle_energy_error(&before, &after, n ? x[RISE] : 0);
+    v.error[1] = oracle_momentum_error(&before, &after);
     return v;
 }
 

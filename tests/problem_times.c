@@ -126,9 +126,11 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     (void)n;
     const real *exact = &t->x[0];
     verdict v = problem_judge_time(exact, y[0]);
-    if (isinf(y[0]) != isinf(exact->nearest) || v.wrong == WRONG_SPURIOUS)
+    if (v.error[0] < 0 || is_at_the_end(&v, exact))
+        return v;
+    if (v.wrong == WRONG_SPURIOUS || isinf(y[0]) || isinf(exact->hi))
         v.error[1] = (double)INFINITY;
-    else if (v.error[0] >= 0 && !is_at_the_end(&v, exact))
+    else
         v.error[1] =
             in_eps(x, distance_at(x, y[0]) - distance_at(x, exact->hi), y[0]);
     return v;
