@@ -176,6 +176,12 @@ BRINK_INLINE int is_told(dd x)
     return fma(x.lo, 1 + 0x1p-15, x.hi) == x.hi;
 }
 
+/** Of a number that is not 0: its sign bit. */
+BRINK_INLINE int sign_of(double x)
+{
+    return -(int)(bits_of(x) >> 63) | 1;
+}
+
 /** The biased exponent: 0 of zero and subnormals, 2047 of infinities and NaN. */
 BRINK_INLINE int biased_exponent(double x)
 {
