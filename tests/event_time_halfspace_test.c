@@ -77,6 +77,51 @@ START_TEST(all_small_whole_planes_are_met_when_they_are)
 }
 END_TEST
 
+// n.(r - c) cancels to some 2^-106 of its terms: the third is what the first two
+// make, to two doubles.
+START_TEST(the_side_is_known_where_all_but_the_last_bits_cancel)
+{
+    stream s = {SEED};
+    mpfr_t f;
+    mpfr_init2(f, ORACLE_BITS);
+    for (int i = 0; i < 10 * CASES_A_FAMILY; i++) {
+        double r[3], v[3], n[3], c[3];
+        mpfr_set_zero(f, 1);
+        for (int k = 0; k < 3; k++) {
+            r[k] = stream_real(&s, 0.5, 2);
+            c[k] = stream_real(&s, -1, 1) * 0x1p-53;
+            n[k] = k < 2 ? stream_real(&s, 0.5, 2) : 1;
+            v[k] = -n[k];
+            if (k < 2) {
+                oracle_add(f, 1, n[k], r[k]);
+                oracle_add(f, -1, n[k], c[k]);
+            }
+        }
+        r[2] = -mpfr_get_d(f, ORACLE_N);
+        mpfr_add_d(f, f, r[2], ORACLE_N);
+        c[2] = mpfr_get_d(f, ORACLE_N);
+        keep_halfspace("cancelling", i, r, v, n, c);
+    }
+    mpfr_clear(f);
+}
+END_TEST
+
+START_TEST(times_all_but_halfway_between_two_doubles_are_told)
+{
+    // t = 1 + k 2^-52 + 2^-53 + tiny * tiny, where double-double loses the last
+    for (int k = 0; k < 64; k++)
+        for (int e = -52; e > -500; e -= 16)
+            for (int way = -1; way <= 1; way += 2) {
+                const double tiny = ldexp(1, e);
+                const double r[3] = {1 + k * 0x1p-52, 0x1p-53, tiny};
+                const double v[3] = {-1, 0, 0}, n[3] = {1, 1, way * tiny};
+                const double c[3] = {0, 0, 0};
+                ck_assert(brink_halfspace_time(r, v, n, c) ==
+                          1 + (way > 0 ? k + 1 : k) * 0x1p-52);
+            }
+}
+END_TEST
+
 START_TEST(nothing_that_is_not_a_number_is_answered)
 {
     const double bad[] = {(double)INFINITY, -(double)INFINITY, (double)NAN};
@@ -94,5 +139,7 @@ int main(void)
     return RUN_SUITE("event_time_halfspace", 600, a_plane_is_met_when_it_is,
                      hard_planes_are_met_when_they_are,
                      all_small_whole_planes_are_met_when_they_are,
+                     the_side_is_known_where_all_but_the_last_bits_cancel,
+                     times_all_but_halfway_between_two_doubles_are_told,
                      nothing_that_is_not_a_number_is_answered);
 }
