@@ -82,41 +82,6 @@ START_TEST(every_promise_is_kept_on_the_hard_cases)
 }
 END_TEST
 
-/** A particle and a plane. */
-static void keep_halfspace(const char *family, int i, const double r[3],
-                           const double v[3], const double n[3],
-                           const double c[3])
-{
-    mpfr_t exact;
-    mpfr_init2(exact, ORACLE_BITS);
-    oracle_halfspace(exact, r, v, n, c);
-    double t = brink_halfspace_time(r, v, n, c);
-    if (t != mpfr_get_d(exact, ORACLE_N) || signbit(t))
-        ck_abort_msg("%s %d (seed %d): r %a %a %a  v %a %a %a\n"
-                     "n %a %a %a  c %a %a %a\ngot %a, exact %a",
-                     family, i, SEED, r[0], r[1], r[2], v[0], v[1], v[2], n[0],
-                     n[1], n[2], c[0], c[1], c[2], t,
-                     mpfr_get_d(exact, ORACLE_N));
-    mpfr_clear(exact);
-}
-
-START_TEST(a_plane_is_met_when_it_is)
-{
-    static const double origin[3] = {0, 0, 0};
-    stream s = {SEED};
-    for (int i = 0; i < PAIR_FAMILIES * CASES_A_FAMILY / 2; i++) {
-        pair_case p, q;
-        const pair_family *family = &pair_families[i % PAIR_FAMILIES];
-        family->make(&s, &p);
-        family->make(&s, &q);
-        keep_halfspace(family->name, i, p.r, p.v, q.v, q.r);
-        // n.r and n.v as small as a family's r.v may be
-        keep_halfspace(family->name, i, p.r, q.v, p.v, origin);
-        keep_halfspace(family->name, i, q.r, p.r, p.v, origin);
-    }
-}
-END_TEST
-
 static time_kernel *const all_kernels[] = {
     brink_intersection_time,      brink_disjoint_time,
     brink_intersection_time_fast, brink_disjoint_time_fast,
@@ -236,7 +201,6 @@ int main(void)
     tcase_add_loop_test(accuracy, every_promise_is_kept_on_every_family, 0,
                         PAIR_FAMILIES);
     tcase_add_test(accuracy, every_promise_is_kept_on_the_hard_cases);
-    tcase_add_test(accuracy, a_plane_is_met_when_it_is);
     tcase_add_loop_test(accuracy, never_negative_and_never_not_a_number, 0,
                         KERNELS);
     suite_add_tcase(suite, accuracy);

@@ -193,5 +193,28 @@ FORMULA int NAME(step)(const double r[3], double m1, double m2, double rise,
     *virial = (double)NAME(kick)(r, m1, m2, way * change, v1, v2);
     return rest > 0;
 }
+
+/** The rim rule of <brink/impulse.h>. */
+FORMULA int NAME(rim)(const double r[3], double m1, double m2, double v1[3],
+                      double v2[3])
+{
+    REAL v[3];
+    for (int i = 0; i < 3; i++)
+        v[i] = (REAL)v1[i] - v2[i];
+    const REAL b = r[0] * v[0] + r[1] * v[1] + r[2] * v[2];
+    const REAL rr = NAME(dot)(r, r), vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const REAL rim = BRINK_RIM_ANGLE * SQRT(rr * vv);
+    if (b <= -rim || b >= rim)
+        return 0;
+    const REAL stretch = SQRT((vv - rim * rim / rr) / (vv - b * b / rr));
+    const REAL mass = (REAL)m1 + m2;
+    for (int i = 0; i < 3; i++) {
+        const REAL tangent = v[i] - b / rr * r[i];
+        const REAL w = stretch * tangent - rim / rr * r[i] - v[i];
+        v1[i] = (double)(v1[i] + m2 / mass * w);
+        v2[i] = (double)(v2[i] - m1 / mass * w);
+    }
+    return 1;
+}
 #undef FORMULA
 #undef INLINED

@@ -79,6 +79,19 @@ static void make_core(int k, stream *s, double *x)
     memcpy(x, step, 11 * sizeof *x);
 }
 
+/** On the rim and moving all but along it, by angles about BRINK_RIM_ANGLE. */
+static void make_rim(int k, stream *s, double *x)
+{
+    pair_case p;
+    make_core(k, s, x);
+    family_rim(s, &p);
+    const double scale = length_of(x + V2) / length_of(p.v);
+    const double out = stream_scaled(s, -34, -20) * length_of(p.v);
+    for (int i = 0; i < 3; i++)
+        x[V1 + i] = x[V2 + i] + scale * (p.v[i] + out * p.r[i]);
+    memcpy(x + R, p.r, sizeof p.r);
+}
+
 // --- The right answers ---------------------------------------------------------
 
 static oracle_pair pair_of(const double *masses, const double *v1,
@@ -99,7 +112,32 @@ static void solve_core(const double *x, truth *t)
     t->n = 0;
 }
 
-static verdict judge(const double *x, const truth *t, int n, const double *y)
+/** Turned where (r.v)^2 < BRINK_RIM_ANGLE^2 r.r v.v, v = v1 - v2. */
+static void solve_rim(const double *x, truth *t)
+{
+    mpfr_t v, b, rr, vv;
+    mpfr_inits2(ORACLE_BITS, v, b, rr, vv, (mpfr_ptr)0);
+    mpfr_set_zero(b, 1);
+    mpfr_set_zero(rr, 1);
+    mpfr_set_zero(vv, 1);
+    for (int i = 0; i < 3; i++) {
+        oracle_add(b, 1, x[R + i], x[V1 + i]);
+        oracle_add(b, -1, x[R + i], x[V2 + i]);
+        oracle_add(rr, 1, x[R + i], x[R + i]);
+        mpfr_set_d(v, x[V1 + i], ORACLE_N);
+        mpfr_sub_d(v, v, x[V2 + i], ORACLE_N);
+        mpfr_sqr(v, v, ORACLE_N);
+        mpfr_add(vv, vv, v, ORACLE_N);
+    }
+    mpfr_mul(rr, rr, vv, ORACLE_N);
+    mpfr_mul_d(rr, rr, BRINK_RIM_ANGLE * BRINK_RIM_ANGLE, ORACLE_N);
+    mpfr_sqr(b, b, ORACLE_N);
+    t->n = mpfr_cmp(b, rr) < 0;
+    mpfr_clears(v, b, rr, vv, (mpfr_ptr)0);
+}
+
+static verdict judge_change(const double *x, const truth *t, int n,
+                            const double *y, double rise)
 {
     verdict v = {n == t->n ? WRONG_NOT : WRONG_SIDE, {0, 0}};
     for (int k = 0; k < 6; k++)
@@ -108,9 +146,20 @@ static verdict judge(const double *x, const truth *t, int n, const double *y)
                              {(double)INFINITY, (double)INFINITY}};
     const oracle_pair before = pair_of(x + M1, x + V1, x + V2);
     const oracle_pair after = pair_of(x + M1, y, y + 3);
-    v.error[0] = oracle_energy_error(&before, &after, n ? x[RISE] : 0);
+    v.error[0] = oracle_energy_error(&before, &after, rise);
     v.error[1] = oracle_momentum_error(&before, &after);
     return v;
+}
+
+static verdict judge_step(const double *x, const truth *t, int n, const double *y)
+{
+    return judge_change(x, t, n, y, n ? x[RISE] : 0);
+}
+
+/** Of a core, or on the rim: the energy is kept. */
+static verdict judge(const double *x, const truth *t, int n, const double *y)
+{
+    return judge_change(x, t, n, y, 0);
 }
 
 // --- Ways ----------------------------------------------------------------------
@@ -144,16 +193,28 @@ static void take(answers *out, int i, const double v1[3], const double v2[3],
         take(out, i, v1, v2, virial);                                            \
     })
 
+#define RIM(kernel)                                                              \
+    LOOP(kernel##_loop, {                                                        \
+        double v1[3] = {p[V1], p[V1 + 1], p[V1 + 2]};                            \
+        double v2[3] = {p[V2], p[V2 + 1], p[V2 + 2]};                            \
+        out->n[i] = kernel(p + R, p[M1], p[M2], v1, v2);                         \
+        take(out, i, v1, v2, 0);                                                 \
+    })
+
 STEP(double_step, int)
 STEP(long_step, int)
 CORE(double_core)
 CORE(long_core)
+RIM(double_rim)
+RIM(long_rim)
 #ifdef TESTS_FLOAT128
 STEP(quad_step, int)
 CORE(quad_core)
+RIM(quad_rim)
 #endif
 STEP(brink_step_impulse, enum brink_direction)
 CORE(brink_core_impulse)
+RIM(brink_rim_impulse)
 
 static const method steps[] = {
     {"step/naive", "as written",
@@ -182,6 +243,20 @@ static const method cores[] = {
      brink_core_impulse_loop, BRINK_IMPULSE_ENERGY_ULP, 0},
 };
 
+static const method rims[] = {
+    {"rim/naive", "as written",
+     "v - (v·r) r / r·r stretched, and the least angle", RANK_FORMULA,
+     double_rim_loop, 0, 0},
+    {"rim/long", "long double", "the same in 64 bits", RANK_WIDE, long_rim_loop,
+     0, 0},
+#ifdef TESTS_FLOAT128
+    {"rim/float128", "__float128", "the same in 113 bits", RANK_WIDE,
+     quad_rim_loop, 0, 0},
+#endif
+    {"rim_impulse", "brink", "brink_rim_impulse", RANK_PLAIN,
+     brink_rim_impulse_loop, BRINK_IMPULSE_ENERGY_ULP, 0},
+};
+
 #define MEASURED_IN                                                              \
     {                                                                            \
         "ulp of the largest kinetic energy", "ulp of the largest |m v|"          \
@@ -199,7 +274,7 @@ const problem problem_step = {
     .make = make,
     .usual = "equal",
     .solve = solve,
-    .judge = judge,
+    .judge = judge_step,
     .measure = MEASURED_IN,
     .second = "momentum",
     .methods = sizeof steps / sizeof *steps,
@@ -222,4 +297,25 @@ const problem problem_core = {
     .second = "momentum",
     .methods = sizeof cores / sizeof *cores,
     .method = cores,
+};
+
+const problem problem_rim = {
+    .name = "rim",
+    .title = "On the rim",
+    .about =
+        "A pair in a well flies all but along its rim, and would bounce for "
+        "ever without getting anywhere.  Is its angle too small, and how does "
+        "it fly on?",
+    .width = 11,
+    .outputs = 7,
+    .families = sizeof core_families / sizeof *core_families,
+    .family = core_family,
+    .make = make_rim,
+    .usual = "equal",
+    .solve = solve_rim,
+    .judge = judge,
+    .measure = MEASURED_IN,
+    .second = "momentum",
+    .methods = sizeof rims / sizeof *rims,
+    .method = rims,
 };

@@ -8,7 +8,7 @@ const problem *const problems[PROBLEMS] = {
     &problem_halfspace_time, &problem_ball,         &problem_rate,
     &problem_ball_at,        &problem_rate_at,      &problem_halfspace,
     &problem_halfspace_rate, &problem_halfspace_at, &problem_step,
-    &problem_core,
+    &problem_core,           &problem_rim,
 };
 
 const char *const problem_wrong_names[WRONG_KINDS] = {

@@ -114,7 +114,7 @@ typedef struct problem {
     const method *method; // the first is the baseline of costs
 } problem;
 
-enum { PROBLEMS = 13 };
+enum { PROBLEMS = 14 };
 extern const problem *const problems[PROBLEMS];
 
 /** The family of this name, or -1. */
