@@ -139,7 +139,8 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
     sums m = sums_in_lanes(r, v, sigma);
     if (!is_known(fabs(sum_of(m.c)), 0x1p25 * m.c_error))
         look_closer(&m, r, sigma);
-    dd a = dot_of(v, v), b = m.b, c = two_sum(m.c.hi, m.c.lo);
+    dd a = dot_of(v, v), b = two_sum(m.b.hi, m.b.lo);
+    dd c = two_sum(m.c.hi, m.c.lo); // their hi may have been less than their lo
     dd p = two_prod(b.hi, b.hi), q = two_prod(a.hi, c.hi);
     dd high = two_sum(p.hi, -q.hi);
     double low = fma(a.hi, c.lo, a.lo * c.hi);
