@@ -66,7 +66,9 @@ double brink_intersection_time_cr(const double r[3], const double v[3],
  * Returns    the time; +inf only for v = 0; NaN outside the domain.  Never
  *            negative
  * Method     t = -c / (sqrt(d) + b) for b > 0, otherwise (sqrt(d) - b) / a, so
- *            that nothing cancels: [S16] prints the two the other way round
+ *            that nothing cancels: [S16] prints the two the other way round.  Far
+ *            pairs that part or pass by are told first; what then is not certain:
+ *            double-double, and exact numbers
  * Source     [S16] algorithm 2, with its branches put right
  * Checked    tests/event_time_test.c
  */

@@ -128,6 +128,11 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
+/** r.v and r.r. */
+typedef struct two_dots {
+    dd rv, rr;
+} two_dots;
+
 /** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R,
  *  where R is more than 2^-900, so that what underflows does not count.  Where
  *  |c| < R / 3 the last difference is exact, and the error of c <= 6u^2 R: u^2
@@ -245,54 +250,6 @@ BRINK_INLINE double meeting_time_touching(const sums *m, double a,
     return later ? t : otherwise;
 }
 
-/** (root - b) / a, root^2 = b^2 - a c, without its cancellation. */
-BRINK_INLINE double later_root(double a, double b, double c, double root)
-{
-    double x = b > 0 ? -c : root - b, y = b > 0 ? root + b : a;
-    return x / y;
-}
-
-/**
- * The disjoint time within 8 ulp, of a pair that is inside, or near the surface,
- * or that is `passing`; -1 where it is not certain.  `rough` is its rate.
- *
- * d = b^2 - a c loses nothing there.  With errors as above, those of c counted
- * where it is divided by, and w = sqrt(d) / (sqrt(d) + |b|), the time is off by,
- * in u,
- *
- *     b > 0, inside:  [1 + k + 3 (2w - 1) + (1 - w)^2 + 2 (1 - w)] / 2w
- *                     + w / 2 + w + 2:  at most 7.9, at w = 1/2
- *     b < 0, inside:  with (1 + k) (2w - 1) + 3 for the first two:  at most 7
- *     b < 0 and d > 3/4 b^2, more than 2^55 times what c puts into it:
- *                     3.3 + 0.4 + 1.3 + 0.3 + 0.5 + 2 = 7.8
- *
- * A pair that passes by is disjoint from its closest approach on, at -b / a.
- * There |b| > 4u P, so it is off by 1u + 2u, and the time by 7u.
- */
-BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
-{
-    double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb);
-    int inside = is_known(-c, m->c_error);
-    int near =
-        is_negative(rough) & (d > 0.75 * bb) & (d > 0x1p55 * a * m->c_error);
-    int certain = passing | (is_in_range(d) & (inside | near));
-    int now = is_positive(rough) & is_outside(m);
-    int none = passing | (d < 0), later = certain & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(none ? 0 : d));
-    t = later ? t : -1;
-    return now ? 0 : t;
-}
-
-/** The same of a pair that is inside, which needs no rate; -1 if it is not. */
-BRINK_INLINE double leaving_time(const sums *m, double a)
-{
-    double b = sum_of(m->b), c = sum_of(m->c), d = fma(-a, c, b * b);
-    int certain = is_known(-c, m->c_error) & is_in_range(d) & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    return certain ? t : -1;
-}
-
 // --- Fast ----------------------------------------------------------------------
 
 /**
@@ -375,21 +332,5 @@ BRINK_INLINE double unscaled_time(const scaled_pair *p, double t)
     int limited = p->unit < -2040 ? -2040 : p->unit > 2040 ? 2040 : p->unit;
     int half = limited / 2;
     return t * power_of_two(half) * power_of_two(limited - half);
-}
-
-/** The disjoint time of a pair inside (c < 0), or outside with b < 0 and the
- *  chord `outside`; -1 where something is out of range.  Inside, d has no
- *  cancellation. */
-BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
-{
-    double d_inside = fma(b, b, -a * c);
-    double d_outside = outside.d > 0 ? outside.d : 0;
-    double d = c < 0 ? d_inside : d_outside;
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    int leaves = (c < 0) & is_in_range(d);
-    int passes =
-        (c >= 0) & (c < 0x1p1000) & is_in_range(-b) & is_in_range(outside.s);
-    int certain = (leaves | passes) & (a > 0x1p-900);
-    return certain ? t : -1;
 }
 #endif

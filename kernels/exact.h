@@ -26,6 +26,9 @@
 /** Always inlined: a body compiled for hardware with fma() has it throughout. */
 #define BRINK_INLINE static inline __attribute__((always_inline))
 
+/** Not inlined, so that what is rare takes no registers from what is not. */
+#define BRINK_APART __attribute__((noinline))
+
 // --- Error-free transforms -----------------------------------------------------
 
 typedef struct dd { // the unevaluated sum hi + lo, |lo| <= u |hi|
