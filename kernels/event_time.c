@@ -6,6 +6,7 @@
 
 #include "event_time.h"
 #include "event_time_lanes.h"
+#include "event_time_parting.h"
 
 // --- Plain ---------------------------------------------------------------------
 
@@ -43,72 +44,92 @@ double brink_intersection_time(const double r[3], const double v[3], double sigm
     return brink_intersection_time_slow(r, v, sigma);
 }
 
-double brink_disjoint_time(const double r[3], const double v[3], double sigma)
+/** Of a far pair that is not certain to pass. */
+static BRINK_APART double disjoint_time_far(const double r[3], const double v[3],
+                                            double sigma)
 {
     if (sigma_in_range(sigma)) {
-        if (is_far_outside(r, sigma)) {
-            rate b = rate_of(r, v);
-            if (is_positive(b))
-                return 0;
-            if (is_negative(b) && passes_by(chord_of(r, v, sigma)))
-                return -sum_of(dot_of(r, v)) /
-                       dot_rounded(v, v); // see parting_time
-        }
         sums m = sums_in_lanes(r, v, sigma);
-        double a = dot_rounded(v, v);
-        if (is_known(-sum_of(m.c), m.c_error)) {
-            double t = leaving_time(&m, a);
-            if (t >= 0)
-                return t;
-        } else {
-            double t = parting_time(&m, a, rate_of(r, v), 0);
-            if (t < 0) { // on the surface, as likely as not
-                look_closer(&m, r, sigma);
-                t = parting_time(&m, a, rate_of(r, v), 0);
-            }
-            if (t >= 0)
-                return t;
-        }
+        discriminant d = discriminant_of(dot_of(v, v), &m);
+        double a = dot_rounded(v, v), b = sum_of(m.b), c = sum_of(m.c);
+        if (d.certain)
+            return later_root(a, b, c, sqrt(d.d));
     }
     return brink_disjoint_time_slow(r, v, sigma);
 }
 
+/** Of a pair that is near, or inside. */
+static BRINK_APART double disjoint_time_near(const double r[3], const double v[3],
+                                             double sigma)
+{
+    double a = dot_rounded(v, v), ss = sigma * sigma;
+    if (are_in_range(a, ss, ss) && sigma > 0) {
+        near_sums m = near_sums_of(dots_in_lanes(r, v), sigma);
+        discriminant d = discriminant_near(&m, a);
+        double t = later_root(a, m.b, m.c, sqrt(fabs(d.d))); // as a rule it is
+        if (d.certain)
+            return t;
+        look_closer_near(&m, r, sigma); // on the surface, as likely as not
+        d = discriminant_near(&m, a);
+        if (d.certain)
+            return later_root(a, m.b, m.c, sqrt(fabs(d.d)));
+    }
+    return brink_disjoint_time_slow(r, v, sigma);
+}
+
+double brink_disjoint_time(const double r[3], const double v[3], double sigma)
+{
+    double rr = dot_rounded(r, r), ss = sigma * sigma;
+    if (!is_far(rr, ss))
+        return disjoint_time_near(r, v, sigma);
+    double a = dot_rounded(v, v), b = dot_closely(r, v), c = rr - ss;
+    if (passes(a, b, c) && is_passing_known(a, b, c) && sigma > 0x1p-450)
+        return passing_time(a, b);
+    return disjoint_time_far(r, v, sigma);
+}
+
 // --- Fast ----------------------------------------------------------------------
+
+/** Of a pair that is in range. */
+BRINK_INLINE double meeting_time_fast(const outline *o)
+{
+    if (o->b >= 0 || o->d <= 0)
+        return (double)INFINITY;
+    double t = (o->c > 0 ? o->c : 0) / (sqrt(o->d) - o->b);
+    return is_too_late(o, t) ? -o->b / o->a : t;
+}
+
+static __attribute__((noinline)) double
+intersection_rescued(const double r[3], const double v[3], double sigma)
+{
+    scaled_pair p;
+    if (!scale_pair(&p, r, v, sigma))
+        return (double)NAN;
+    outline o = outline_of(p.r, p.v, p.sigma);
+    return unscaled_time(&p, meeting_time_fast(&o));
+}
 
 double brink_intersection_time_fast(const double r[3], const double v[3],
                                     double sigma)
 {
-    double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
-    chord k = chord_of(r, v, sigma);
-    if (!(are_in_range(k.a, rr, ss) && sigma > 0))
-        return brink_intersection_time_slow(r, v, sigma);
-    if (b >= 0)
-        return (double)INFINITY;
-    double c = rr - ss;
-    if (c <= 0)
-        return 0;
-    double sum = sqrt(k.d > 0 ? k.d : 0) - b; // begun before its need is known
-    if (k.d > 0x1p-40 * k.s)                  // away from the rim
-        return c / sum;
-    if (k.d <= 0)
-        return (double)INFINITY;
-    return is_too_late(b, c, k, sum) ? -b / k.a : c / sum;
+    outline o = outline_of(r, v, sigma);
+    if (!is_in_range_fast(&o, sigma))
+        return intersection_rescued(r, v, sigma);
+    return meeting_time_fast(&o);
 }
 
 double brink_disjoint_time_fast(const double r[3], const double v[3],
                                 double sigma)
 {
-    static const chord none = {0, 0, 0};
-    double b = dot_rounded(r, v), c = dot_rounded(r, r) - sigma * sigma;
-    if (sigma_in_range(sigma)) {
-        if (is_in_range(b) && c >= 0 && c < 0x1p1000)
-            return 0;
-        chord outside = c < 0 ? none : chord_of(r, v, sigma);
-        double t = parting_time_fast(dot_rounded(v, v), b, c, outside);
-        if (t >= 0)
-            return t;
-    }
-    return brink_disjoint_time_slow(r, v, sigma);
+    double a = dot_rounded(v, v), b = dot_rounded(r, v);
+    double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
+    if (!(are_in_range(a, rr, ss) && sigma > 0))
+        return brink_disjoint_time_slow(r, v, sigma);
+    if (!is_far(rr, ss))
+        return later_root(a, b, c, root_of_chord(fma(b, b, -a * c)));
+    if (passes(a, b, c))
+        return passing_time(a, b);
+    return later_root(a, b, c, root_of_chord(chord_of(r, v, sigma).d));
 }
 
 // --- Correctly rounded ---------------------------------------------------------
@@ -131,7 +152,8 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
     sums m = sums_in_lanes(r, v, sigma);
     if (!is_known(fabs(sum_of(m.c)), 0x1p25 * m.c_error))
         look_closer(&m, r, sigma);
-    dd a = dot_of(v, v), b = m.b, c = two_sum(m.c.hi, m.c.lo);
+    dd a = dot_of(v, v), b = two_sum(m.b.hi, m.b.lo);
+    dd c = two_sum(m.c.hi, m.c.lo); // their hi may have been less than their lo
     dd p = two_prod(b.hi, b.hi), q = two_prod(a.hi, c.hi);
     dd high = two_sum(p.hi, -q.hi);
     double low = fma(a.hi, c.lo, a.lo * c.hi);

@@ -9,7 +9,7 @@
 #include "path.h"
 
 #include "event_time.h"
-#include "event_time_sums.h"
+#include "event_time_parting.h"
 
 enum { BLOCK = 128, GROUP = 8 };
 
@@ -100,30 +100,56 @@ static void meet_fast(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
-        double c = rr - ss;
-        chord k = chord_of(r, v, sigma);
-        int certain = are_in_range(k.a, rr, ss) & (sigma > 0);
-        int never = (b >= 0) | ((c > 0) & (k.d <= 0));
-        double sum = sqrt(k.d > 0 ? k.d : 0) - b;
-        int late = is_too_late(b, c, k, sum);
-        double time = (late ? -b : c) / (late ? k.a : sum);
-        time = c > 0 ? time : 0;
+        outline o = outline_of(r, v, sigma);
+        int never = (o.b >= 0) | (o.d <= 0);
+        double time = (o.c > 0 ? o.c : 0) / (sqrt(o.d > 0 ? o.d : 0) - o.b);
+        time = is_too_late(&o, time) ? -o.b / o.a : time;
         time = never ? (double)INFINITY : time;
-        t[i] = certain ? time : -1;
+        t[i] = is_in_range_fast(&o, sigma) ? time : -1;
     }
 }
 
+static void pass(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double rr = dot_rounded(r, r), ss = sigma * sigma;
+        double a = dot_rounded(v, v), b = dot_closely(r, v), c = rr - ss;
+        int certain = is_far(rr, ss) & passes(a, b, c) &
+                      is_passing_known(a, b, c) & (sigma > 0x1p-450);
+        t[i] = certain ? passing_time(a, b) : -1;
+    }
+}
+
+/** What is chosen is chosen one by one: so GCC makes vectors of it. */
 static void part(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        rate b = rate_of(r, v);
+        double a = dot_rounded(v, v), ss = sigma * sigma;
         sums m = sums_of(r, v, sigma);
-        int passing = is_far_outside(r, sigma) & is_negative(b) &
-                      passes_by(chord_of(r, v, sigma));
-        double time = parting_time(&m, dot_rounded(v, v), b, passing);
-        t[i] = sigma_in_range(sigma) ? time : -1;
+        near_sums k = near_sums_of((two_dots){m.b, dot_of(r, r)}, sigma);
+        discriminant far = discriminant_of(dot_of(v, v), &m);
+        discriminant near = discriminant_near(&k, a);
+        int far_certain = far.certain & sigma_in_range(sigma);
+        int near_certain = near.certain & are_in_range(a, ss, ss) & (sigma > 0);
+        int is_it_far = is_far(dot_rounded(r, r), ss);
+        int certain = is_it_far ? far_certain : near_certain;
+        double d = is_it_far ? far.d : near.d;
+        double time = later_root(a, k.b, k.c, sqrt(fabs(d)));
+        t[i] = certain ? time : -1;
+    }
+}
+
+static void pass_fast(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double a = dot_rounded(v, v), b = dot_rounded(r, v);
+        double rr = dot_rounded(r, r), ss = sigma * sigma;
+        int certain = are_in_range(a, rr, ss) & (sigma > 0) & is_far(rr, ss) &
+                      passes(a, b, rr - ss);
+        t[i] = certain ? passing_time(a, b) : -1;
     }
 }
 
@@ -132,18 +158,20 @@ static void part_fast(int n, const many *p, double *t)
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
         double a = dot_rounded(v, v), b = dot_rounded(r, v);
-        double c = dot_rounded(r, r) - sigma * sigma;
-        double time = parting_time_fast(a, b, c, chord_of(r, v, sigma));
-        int now = is_in_range(b) & (c >= 0) & (c < 0x1p1000);
-        time = now ? 0 : time;
-        t[i] = sigma_in_range(sigma) ? time : -1;
+        double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
+        int far = is_far(rr, ss);
+        int certain =
+            are_in_range(a, rr, ss) & (sigma > 0) & !(far & passes(a, b, c));
+        double d = far ? chord_of(r, v, sigma).d : fma(b, b, -a * c);
+        double time = later_root(a, b, c, root_of_chord(d));
+        t[i] = certain ? time : -1;
     }
 }
 
 // --- The batches ---------------------------------------------------------------
 
 /** One block after the other; the answers are written when a block has been
- *  read. */
+ *  read.  That glance comes first which had more to say of the block before. */
 static void in_blocks(size_t n, const many *all, double *t, glance *first,
                       glance *second, scalar *kernel)
 {
@@ -153,17 +181,22 @@ static void in_blocks(size_t n, const many *all, double *t, glance *first,
                             all->vx + at,   all->vy + at, all->vz + at,
                             all->sigma + at};
         const many *p = &block;
-        double answer[BLOCK];
-        first(size, p, answer);
-        int count = find_open(size, answer, open);
+        double found[BLOCK];
+        first(size, p, found);
+        int count = find_open(size, found, open);
         if (second && count > 0)
-            look_again(count, open, p, answer, second);
+            look_again(count, open, p, found, second);
         for (int k = 0; k < count; k++)
-            if (answer[open[k]] < 0) {
+            if (found[open[k]] < 0) {
                 GET_PAIR(p, open[k]);
-                answer[open[k]] = kernel(r, v, sigma);
+                found[open[k]] = kernel(r, v, sigma);
             }
-        memcpy(t + at, answer, (size_t)size * sizeof *answer);
+        memcpy(t + at, found, (size_t)size * sizeof *found);
+        if (second && 2 * count > size) {
+            glance *better = second;
+            second = first;
+            first = better;
+        }
     }
 }
 
@@ -190,7 +223,7 @@ void brink_disjoint_times(size_t n, const double *rx, const double *ry,
                           const double *vz, const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, part, NULL, brink_disjoint_time);
+    in_blocks(n, &all, t, pass, part, brink_disjoint_time);
 }
 
 void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
@@ -199,5 +232,5 @@ void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
                                const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, part_fast, NULL, brink_disjoint_time_fast);
+    in_blocks(n, &all, t, pass_fast, part_fast, brink_disjoint_time_fast);
 }

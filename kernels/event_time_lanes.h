@@ -31,4 +31,19 @@ BRINK_INLINE sums sums_in_lanes(const double r[3], const double v[3],
     double size = t[1] - q.hi;
     return (sums){{w[0], lost[0]}, {w[1], lost[1]}, 0x1.8p-104 * size, size};
 }
+
+/** dot_of(r, v) and dot_of(r, r), bit for bit. */
+BRINK_INLINE two_dots dots_in_lanes(const double r[3], const double v[3])
+{
+    two_lanes p[3], e[3];
+    for (int i = 0; i < 3; i++) {
+        two_lanes x = {v[i], r[i]}, y = {r[i], r[i]};
+        p[i] = x * y;
+        e[i] = lanes_fma(x, y, -p[i]);
+    }
+    two_lanes s = p[0] + p[1], t = s + p[2];
+    two_lanes lost = lanes_lost(s, p[0], p[1]) + lanes_lost(t, s, p[2]);
+    lost = (e[0] + e[1] + e[2]) + lost;
+    return (two_dots){{t[0], lost[0]}, {t[1], lost[1]}};
+}
 #endif

@@ -128,6 +128,11 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
+/** r.v and r.r. */
+typedef struct two_dots {
+    dd rv, rr;
+} two_dots;
+
 /** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R,
  *  where R is more than 2^-900, so that what underflows does not count.  Where
  *  |c| < R / 3 the last difference is exact, and the error of c <= 6u^2 R: u^2
@@ -245,85 +250,87 @@ BRINK_INLINE double meeting_time_touching(const sums *m, double a,
     return later ? t : otherwise;
 }
 
-/** (root - b) / a, root^2 = b^2 - a c, without its cancellation. */
-BRINK_INLINE double later_root(double a, double b, double c, double root)
-{
-    double x = b > 0 ? -c : root - b, y = b > 0 ? root + b : a;
-    return x / y;
-}
-
-/**
- * The disjoint time within 8 ulp, of a pair that is inside, or near the surface,
- * or that is `passing`; -1 where it is not certain.  `rough` is its rate.
- *
- * d = b^2 - a c loses nothing there.  With errors as above, those of c counted
- * where it is divided by, and w = sqrt(d) / (sqrt(d) + |b|), the time is off by,
- * in u,
- *
- *     b > 0, inside:  [1 + k + 3 (2w - 1) + (1 - w)^2 + 2 (1 - w)] / 2w
- *                     + w / 2 + w + 2:  at most 7.9, at w = 1/2
- *     b < 0, inside:  with (1 + k) (2w - 1) + 3 for the first two:  at most 7
- *     b < 0 and d > 3/4 b^2, more than 2^55 times what c puts into it:
- *                     3.3 + 0.4 + 1.3 + 0.3 + 0.5 + 2 = 7.8
- *
- * A pair that passes by is disjoint from its closest approach on, at -b / a.
- * There |b| > 4u P, so it is off by 1u + 2u, and the time by 7u.
- */
-BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
-{
-    double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb);
-    int inside = is_known(-c, m->c_error);
-    int near =
-        is_negative(rough) & (d > 0.75 * bb) & (d > 0x1p55 * a * m->c_error);
-    int certain = passing | (is_in_range(d) & (inside | near));
-    int now = is_positive(rough) & is_outside(m);
-    int none = passing | (d < 0), later = certain & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(none ? 0 : d));
-    t = later ? t : -1;
-    return now ? 0 : t;
-}
-
-/** The same of a pair that is inside, which needs no rate; -1 if it is not. */
-BRINK_INLINE double leaving_time(const sums *m, double a)
-{
-    double b = sum_of(m->b), c = sum_of(m->c), d = fma(-a, c, b * b);
-    int certain = is_known(-c, m->c_error) & is_in_range(d) & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    return certain ? t : -1;
-}
-
 // --- Fast ----------------------------------------------------------------------
 
-/** Whether the squares, and with them all that is made of them, are of
- *  moderate size: 2^-256 to 2^256, by their exponents. */
-BRINK_INLINE int are_in_range(double a, double rr, double ss)
+/**
+ * a, b, c, d and r.r, each rounded a few times.
+ *
+ * A time c / (sqrt(d) - b) of these puts the pair within 8 eps (sigma + |v| t)
+ * of the surface.  What d is off by is as if sigma and the closest approach were:
+ * by 4.5u sigma for the squares, and by 2u |r| for the cross product, whose error
+ * is u |r_i v_j| a product.  c is off by 3u r.r: it moves the pair, seen from the
+ * surface, by 3u |r|, as sqrt(d) <= sigma |v| and sqrt(d) - b >= |r| |v| sqrt(d)
+ * / (sigma |v|); b likewise, off by 3u |r| |v|, by 3u |v| t.  Root, sum and
+ * quotient make 3u |v| t.  With |r| <= sigma + |v| t all are 9.5u sigma + 11u |v|
+ * t, or 5.5 eps.
+ */
+typedef struct outline {
+    double a, b, c, d, rr;
+} outline;
+
+BRINK_INLINE outline outline_of(const double r[3], const double v[3],
+                                double sigma)
 {
-    uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
-    all |= ((bits_of(rr + ss) >> 52) - offset) | ((bits_of(ss) >> 52) - offset);
-    return all < 512;
+    double x = fma(r[1], v[2], -(r[2] * v[1]));
+    double y = fma(r[2], v[0], -(r[0] * v[2]));
+    double z = fma(r[0], v[1], -(r[1] * v[0]));
+    double a = dot_rounded(v, v), rr = dot_rounded(r, r), ss = sigma * sigma;
+    double d = fma(-z, z, ss * a) - fma(x, x, y * y);
+    return (outline){a, dot_rounded(r, v), rr - ss, d, rr};
+}
+
+/** Whether v.v and r.r, and with them the products of their roots, are within
+ *  2^-512 and 2^512, and sigma is a number.  If it is so large that its square
+ *  is infinite, all is well: so is d, and the time 0. */
+BRINK_INLINE int is_in_range_fast(const outline *o, double sigma)
+{
+    const uint64_t least = 1023 - 512, exponents = 1024, infinite = 2047;
+    uint64_t a = (bits_of(o->a) >> 52) - least,
+             rr = (bits_of(o->rr) >> 52) - least;
+    return ((a | rr) < exponents) & (bits_of(sigma) >> 52 < infinite);
 }
 
 /** On the rim c and d are nothing but their errors, which need not agree.  The
  *  pair is at the sphere no later than at its closest approach, -b / a. */
-BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
+BRINK_INLINE int is_too_late(const outline *o, double t)
 {
-    return k.a * c > -b * sum;
+    return o->a * t > -o->b;
 }
 
-/** The disjoint time of a pair inside (c < 0), or outside with b < 0 and the
- *  chord `outside`; -1 where something is out of range.  Inside, d has no
- *  cancellation. */
-BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
+/** A pair in units of its own: powers of two by which its lengths and
+ *  velocities become of order 1. */
+typedef struct scaled_pair {
+    double r[3], v[3], sigma;
+    int unit; // times are in units of 2^unit
+} scaled_pair;
+
+BRINK_INLINE double largest_of(const double x[3])
 {
-    double d_inside = fma(b, b, -a * c);
-    double d_outside = outside.d > 0 ? outside.d : 0;
-    double d = c < 0 ? d_inside : d_outside;
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    int leaves = (c < 0) & is_in_range(d);
-    int passes =
-        (c >= 0) & (c < 0x1p1000) & is_in_range(-b) & is_in_range(outside.s);
-    int certain = (leaves | passes) & (a > 0x1p-900);
-    return certain ? t : -1;
+    return larger(larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
+}
+
+/** 0 where the pair is not in the domain. */
+BRINK_INLINE int scale_pair(scaled_pair *p, const double r[3], const double v[3],
+                            double sigma)
+{
+    double length = larger(sigma, largest_of(r)), speed = largest_of(v);
+    int er = common_exponent(1, &length), ev = common_exponent(1, &speed);
+    double fr = power_of_two(-er), fv = power_of_two(-ev), sum = 0;
+    for (int i = 0; i < 3; i++) {
+        p->r[i] = r[i] * fr;
+        p->v[i] = v[i] * fv;
+        sum += p->r[i] + p->v[i];
+    }
+    p->sigma = sigma * fr;
+    p->unit = er - ev;
+    return (sum - sum == 0) & (sigma >= 0) & (p->sigma < 4);
+}
+
+/** t 2^unit, t >= 0. */
+BRINK_INLINE double unscaled_time(const scaled_pair *p, double t)
+{
+    int limited = p->unit < -2040 ? -2040 : p->unit > 2040 ? 2040 : p->unit;
+    int half = limited / 2;
+    return t * power_of_two(half) * power_of_two(limited - half);
 }
 #endif

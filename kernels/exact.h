@@ -26,6 +26,9 @@
 /** Always inlined: a body compiled for hardware with fma() has it throughout. */
 #define BRINK_INLINE static inline __attribute__((always_inline))
 
+/** Not inlined, so that what is rare takes no registers from what is not. */
+#define BRINK_APART __attribute__((noinline))
+
 // --- Error-free transforms -----------------------------------------------------
 
 typedef struct dd { // the unevaluated sum hi + lo, |lo| <= u |hi|
@@ -174,6 +177,12 @@ BRINK_INLINE int is_moderate(double x)
 BRINK_INLINE int is_told(dd x)
 {
     return fma(x.lo, 1 + 0x1p-15, x.hi) == x.hi;
+}
+
+/** Of a number that is not 0: its sign bit. */
+BRINK_INLINE int sign_of(double x)
+{
+    return -(int)(bits_of(x) >> 63) | 1;
 }
 
 /** The biased exponent: 0 of zero and subnormals, 2047 of infinities and NaN. */

@@ -13,11 +13,13 @@
  *
  * Functions with _at take r + v t for r: where free flight leads.
  *
- * Domain     finite inputs of any magnitude, t of either sign
+ * Domain     finite inputs of any magnitude, t of either sign; outside of it
+ *            values are NaN, and signs 0
  * Accuracy   signs are exact for the doubles given; values are within
  *            BRINK_OVERLAP_ULP of exact, under- and overflow included
- * Method     double-double with a bound; what lies within the bound of 0, or has
- *            lost too many digits to cancellation, in exact arithmetic
+ * Method     sums that carry their rounding errors along, with a bound; what lies
+ *            within the bound of 0, or has lost too many digits to cancellation,
+ *            in exact arithmetic
  * Checked    tests/overlap_test.c
  */
 #ifdef __cplusplus

@@ -124,7 +124,10 @@ static const line lines[] = {
     CALL("disjoint_time_cr", "contact", OUT, 10),
     BATCHES(disjoint_times, "dilute", OUT, 0.7),
     BATCHES(disjoint_times, "captured", OUT, 0),
+    BATCHES(disjoint_times, "neighbours", OUT, 0),
     BATCHES(disjoint_times_fast, "dilute", OUT, 0.7),
+    BATCHES(disjoint_times_fast, "captured", OUT, 0),
+    BATCHES(disjoint_times_fast, "neighbours", OUT, 0),
 };
 
 int bench_speed_lines(void)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What _fast promises, on every family: at the time answered the pair is within
 // BRINK_EVENT_TIME_GAP eps (sigma + |v| t) of the surface, and what is answered
-// the other way round passes within that of the rim.
+// the other way round is decided within that.
 #include "cases.h"
 #include "oracle.h"
 #include "pairs.h"
@@ -92,18 +92,18 @@ static int is_at_the_end(double t, const mpfr_t exact)
            oracle_ulps(t, exact) <= BRINK_EVENT_TIME_ULP;
 }
 
-/** Whether the pair is inside and neither comes nor goes but for what r.v is
- *  rounded by: it may be told to meet now or never.  Three sums and three
- *  products make no more than 4u of their terms. */
+/** Whether the pair is inside and at its closest approach, up to as many eps of
+ *  sigma: it may be told to meet now or never. */
 static int hardly_moves(const pair_case *p)
 {
     oracle_path q;
+    mpfr_t way;
+    mpfr_init2(way, ORACLE_BITS);
     oracle_path_make(&q, p->r, p->v, p->sigma);
-    long double terms = 0; // for its range
-    for (int i = 0; i < 3; i++)
-        terms += fabsl((long double)p->r[i] * p->v[i]);
-    const int hardly = mpfr_sgn(q.c) <= 0 &&
-                       fabsl(mpfr_get_ld(q.b, ORACLE_N)) <= 0x1p-51L * terms;
+    mpfr_sqrt(way, q.a, ORACLE_N);
+    mpfr_mul_d(way, way, BRINK_EVENT_TIME_GAP * 0x1p-52 * p->sigma, ORACLE_N);
+    const int hardly = mpfr_sgn(q.c) <= 0 && mpfr_cmpabs(q.b, way) <= 0;
+    mpfr_clear(way);
     oracle_path_clear(&q);
     return hardly;
 }

@@ -71,7 +71,8 @@ static double in_eps(const double *x, long double distance, long double t)
     return (double)(fabsl(distance) / (0x1p-52L * size));
 }
 
-/** How deep the pair goes that is said never to meet. */
+/** How deep the pair goes that is said never to meet; or how far it is from its
+ *  closest approach, if that is less: one that is inside is said to part. */
 static double depth_missed(const double *x)
 {
     const double *r = x, *v = x + 3;
@@ -83,12 +84,18 @@ static double depth_missed(const double *x)
         rate += (long double)r[i] * v[i];
     }
     const long double speed = size_of(v), t = -rate / (speed * speed);
-    return in_eps(x, x[6] - sqrtl(cross) / speed, t);
+    const double depth = in_eps(x, x[6] - sqrtl(cross) / speed, t);
+    return fmin(depth, in_eps(x, rate / speed, 0));
 }
 
+/** A time that has lost digits to the end of the range may stand for one at
+ *  which the pair just touches. */
 static double gap_of_intersection(const double *x, double t)
 {
-    return isinf(t) ? depth_missed(x) : in_eps(x, distance_at(x, t) - x[6], t);
+    if (isinf(t))
+        return depth_missed(x);
+    const double gap = in_eps(x, distance_at(x, t) - x[6], t);
+    return t < 0x1p-1022 ? fmin(gap, depth_missed(x)) : gap;
 }
 
 // --- Verdicts ------------------------------------------------------------------
