@@ -8,10 +8,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+enum { NARROW = 7 }; // columns; a table of more is set closer
+
 // Drawings keep a light card in the dark, because gnuplot writes its colours into
 // them; on a narrow screen they scroll sideways rather than shrink out of
 // reading.  So do tables, under their first column and below their caption.
-enum { NARROW = 7 }; // columns: tables of more are set closer
 static const char style[] =
     ":root{color-scheme:light dark;--ink:#1d2430;--soft:#5b6575;--line:#d9dee6;"
     "--page:#fff;--card:#f5f7fa;--mark:#0072b2}\n"
@@ -35,17 +36,17 @@ static const char style[] =
     "figcaption{margin-top:.6rem}\n"
     ".table{overflow-x:auto;margin:1.25rem 0}\n"
     "table{border-collapse:separate;border-spacing:0;width:100%;font-size:.94rem;"
-    "line-height:1.4;"
-    "font-variant-numeric:tabular-nums}\n"
+    "line-height:1.375rem;font-variant-numeric:tabular-nums}\n"
     "caption{text-align:left;padding-bottom:.5rem}\n"
     "caption span{display:inline-block;position:sticky;left:0;"
     "max-width:calc(100vw - 2.5rem)}\n"
-    "th,td{padding:.45rem .7rem;text-align:left;vertical-align:top;"
+    "th,td{padding:.4375rem .7rem;text-align:left;vertical-align:top;"
     "border-bottom:1px solid var(--line)}\n"
     "th{font-weight:600}thead th{vertical-align:bottom;"
     "border-bottom:2px solid var(--soft)}\n"
     "tbody th{min-width:5.5rem}\n"
-    ".wide table{font-size:.84rem}.wide th,.wide td{padding:.4rem .45rem}\n"
+    ".wide table{font-size:.84rem;line-height:1.25rem}"
+    ".wide th,.wide td{padding:.375rem .45rem}\n"
     "th:first-child{padding-left:0;position:sticky;left:0;"
     "background:var(--page)}\n"
     ".r{text-align:right}td.r{white-space:nowrap}\n"
