@@ -233,6 +233,20 @@ static inline void family_passing(stream *s, pair_case *p)
     p->sigma = stream_real(s, 0.1, 0.99);
 }
 
+/** Moving all but along the surface, at any distance from it: r.v is next to
+ *  nothing beside |r| |v|, or nothing but what its rounded sum leaves over. */
+static inline void family_sideways(stream *s, pair_case *p)
+{
+    fill_normal(s, p->r, 1);
+    fill_normal(s, p->v, 1);
+    double b = p->r[0] * p->v[0] + p->r[1] * p->v[1] + p->r[2] * p->v[2];
+    double rr = p->r[0] * p->r[0] + p->r[1] * p->r[1] + p->r[2] * p->r[2];
+    double rest = stream_scaled(s, -70, -2);
+    for (int i = 0; i < 3; i++)
+        p->v[i] += (rest - b / rr) * p->r[i];
+    p->sigma = sqrt(rr) * (1 + stream_scaled(s, -54, -1));
+}
+
 /** Where squares, products or the answer are on the edge of underflow. */
 static inline void family_edge(stream *s, pair_case *p)
 {
@@ -282,6 +296,7 @@ static const pair_family pair_families[] = {
     {"cancelling", family_cancelling},
     {"passing", family_passing},
     {"edge", family_edge},
+    {"sideways", family_sideways},
 };
 enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
 #endif
