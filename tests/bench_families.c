@@ -37,7 +37,7 @@ static const struct {
     {"passing", "passing outside, all but at the closest approach"},
     {"missing", "r·v cancels all but entirely, far from contact"},
     {"closing",
-     "r·r - σ² is 10⁻³² of either: on the surface to twice the digits"},
+     "r·r - σ² is down to 10⁻³² of either: on the surface to twice the digits"},
     {"skimming", "just off the surface, hardly steep enough to reach it"},
     {"sideways", "moving all but along the surface, at any distance from it"},
     {"edge", "where squares, products or the answer all but underflow"},

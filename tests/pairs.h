@@ -254,13 +254,13 @@ static inline void family_missing(stream *s, pair_case *p)
     p->sigma *= stream_real(s, 0.1, 0.9);
 }
 
-/** The smallest coordinate closes the gap that the others leave to sigma^2, so
- *  that r.r - sigma^2 is some 2^-106 of its terms, of either sign. */
+/** One coordinate closes the gap that the others leave to sigma^2, but for 2^-108
+ *  to 2^-45 of it, of either sign. */
 static inline void family_closing(stream *s, pair_case *p)
 {
     const int first = stream_int(s, 0, 2);
     p->sigma = stream_real(s, 1, 2);
-    const double x = stream_real(s, 0.1, 0.9) * p->sigma;
+    const double x = 0.9 * fabs(stream_scaled(s, -12, 0));
     const double y = nextafter(sqrt(fma(p->sigma, p->sigma, -x * x)), 0);
     const double ss = p->sigma * p->sigma, xx = x * x, yy = y * y;
     // What is left over, to 64 bits: differences of the leading parts are exact.
@@ -270,7 +270,8 @@ static inline void family_closing(stream *s, pair_case *p)
     const long double gap = (((long double)ss - xx) - yy) + low;
     p->r[first] = x * stream_sign(s);
     p->r[(first + 1) % 3] = y * stream_sign(s);
-    p->r[(first + 2) % 3] = stream_near(s, (double)sqrtl(fabsl(gap)), 2);
+    const long double beyond = gap + stream_scaled(s, -108, -45);
+    p->r[(first + 2) % 3] = (double)sqrtl(fabsl(beyond));
     fill_normal(s, p->v, 1);
 }
 
