@@ -264,13 +264,14 @@ static inline void family_closing(stream *s, pair_case *p)
     const double y = nextafter(sqrt(fma(p->sigma, p->sigma, -x * x)), 0);
     const double ss = p->sigma * p->sigma, xx = x * x, yy = y * y;
     // What is left over, to 64 bits: differences of the leading parts are exact.
-    const long double low =
-        ((long double)fma(p->sigma, p->sigma, -ss) - fma(x, x, -xx)) -
-        fma(y, y, -yy);
-    const long double gap = (((long double)ss - xx) - yy) + low;
+    const long double low_ss = (long double)fma(p->sigma, p->sigma, -ss);
+    const long double low_xx = (long double)fma(x, x, -xx);
+    const long double low_yy = (long double)fma(y, y, -yy);
+    const long double gap =
+        (long double)(ss - xx - yy) + (low_ss - low_xx - low_yy);
     p->r[first] = x * stream_sign(s);
     p->r[(first + 1) % 3] = y * stream_sign(s);
-    const long double beyond = gap + stream_scaled(s, -108, -45);
+    const long double beyond = gap + (long double)stream_scaled(s, -108, -45);
     p->r[(first + 2) % 3] = (double)sqrtl(fabsl(beyond));
     fill_normal(s, p->v, 1);
 }
