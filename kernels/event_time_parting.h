@@ -16,8 +16,8 @@
  */
 #include "event_time_sums.h"
 
-/** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, and with
- *  them all that is made of them well within range: by their exponents. */
+/** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, with
+ *  all that is made of them well within range: by their exponents. */
 BRINK_INLINE int are_in_range(double a, double size)
 {
     const uint64_t least = 1023 - 256, exponents = 512;

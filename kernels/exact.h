@@ -118,13 +118,17 @@ BRINK_INLINE dd dd_sqrt(dd x)
 // answer is as likely.
 
 #ifdef __SSE2__
-/** x in the low half of a register, whose high half is as it happens to be: an
- *  intrinsic would spend an instruction on clearing it. */
+/** x in the low half of a register, whose high half does not matter: GCC spends
+ *  an instruction on clearing that. */
 BRINK_INLINE __m128d in_register(double x)
 {
+#ifdef __clang__
+    return _mm_set_sd(x);
+#else
     __m128d v;
     __asm__("" : "=x"(v) : "0"(x));
     return v;
+#endif
 }
 #endif
 
