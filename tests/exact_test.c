@@ -150,8 +150,8 @@ END_TEST
 
 START_TEST(moderate_is_what_it_says)
 {
-    ck_assert(is_moderate(0x1p-400) && is_moderate(1) && is_moderate(0x1.8p499));
-    ck_assert(!is_moderate(0x1.fffffffffffffp-401) && !is_moderate(0x1p500));
+    ck_assert(is_moderate(0x1p-512) && is_moderate(1) && is_moderate(0x1.8p511));
+    ck_assert(!is_moderate(0x1.fffffffffffffp-513) && !is_moderate(0x1p512));
     ck_assert(!is_moderate(0) && !is_moderate(-1) &&
               !is_moderate((double)INFINITY));
     ck_assert(!is_moderate((double)NAN) && !is_moderate(-(double)NAN));
