@@ -35,6 +35,7 @@ static const struct {
     {"axial", "on the rim, moving along an axis"},
     {"cancelling", "r·v and r·r - σ² both cancel, all but entirely"},
     {"passing", "passing outside, all but at the closest approach"},
+    {"remainder", "r·v and r·r - σ² cancel twice over"},
     {"sideways", "moving all but along the surface, at any distance from it"},
     {"edge", "where squares, products or the answer all but underflow"},
     {"equal", "of equal masses, on the surface to a few ulp"},
