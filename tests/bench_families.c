@@ -39,6 +39,7 @@ static const struct {
     {"closing",
      "r·r - σ² is down to 10⁻³² of either: on the surface to twice the digits"},
     {"skimming", "just off the surface, hardly steep enough to reach it"},
+    {"remainder", "r·v and r·r - σ² cancel twice over"},
     {"sideways", "moving all but along the surface, at any distance from it"},
     {"edge", "where squares, products or the answer all but underflow"},
     {"equal", "of equal masses, on the surface to a few ulp"},

@@ -105,6 +105,8 @@ START_TEST(nothing_that_is_not_a_number_is_answered)
     const double r[3] = {2, 0, 0}, in[3] = {-1, 0, 0}, out[3] = {1, 0, 0};
     ck_assert(isnan(all_kernels[_i](r, in, -1)));
     ck_assert(isnan(all_kernels[_i](r, out, -0x1p-1074)));
+    const double inside[3] = {0.5, 0, 0};
+    ck_assert(isnan(all_kernels[_i](inside, out, -1)));
 }
 END_TEST
 

@@ -298,6 +298,35 @@ static inline void family_skimming(stream *s, pair_case *p)
     p->sigma = 1;
 }
 
+/** x y + z w, when that cancels: to a few ulp. */
+static inline double two_products(double x, double y, double z, double w)
+{
+    double p = x * y, q = z * w;
+    return (p + q) + (fma(x, y, -p) + fma(z, w, -q));
+}
+
+/** r.v and r.r - sigma^2 cancel to 2^-53 in two of their terms, and what is left
+ *  once more, to some 2^-106: less than sums know that carry their errors. */
+static inline void family_remainder(stream *s, pair_case *p)
+{
+    double *r = p->r, *v = p->v, left;
+    do {
+        r[0] = stream_real(s, 0.25, 1);
+        r[1] = fabs(stream_scaled(s, -20, 0));
+        p->sigma = nextafter(sqrt(r[0] * r[0] + r[1] * r[1]), 4);
+        left = two_products(p->sigma - r[0], p->sigma + r[0], -r[1], r[1]);
+    } while (left <= 0);
+    r[2] = stream_near(s, sqrt(left), 2);
+    v[0] = stream_real(s, 0.5, 1) * stream_sign(s);
+    v[1] = -r[0] * v[0] / r[1];
+    v[2] = stream_near(s, -two_products(r[0], v[0], r[1], v[1]) / r[2], 2);
+    int way = stream_int(s, 0, 3); // one of the two alone, or both
+    if (way == 0)
+        fill_normal(s, v, 1);
+    if (way == 1)
+        p->sigma *= 1 - fabs(stream_scaled(s, -40, 0));
+}
+
 /** Where squares, products or the answer are on the edge of underflow. */
 static inline void family_edge(stream *s, pair_case *p)
 {
@@ -351,6 +380,7 @@ static const pair_family pair_families[] = {
     {"missing", family_missing},
     {"closing", family_closing},
     {"skimming", family_skimming},
+    {"remainder", family_remainder},
 };
 enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
 #endif
