@@ -63,7 +63,7 @@ static BRINK_APART double disjoint_time_near(const double r[3], const double v[3
                                              double sigma)
 {
     double a = dot_rounded(v, v), ss = sigma * sigma;
-    if (are_in_range(a, ss, ss) && sigma > 0) {
+    if (are_in_range(a, ss) && sigma > 0) {
         near_sums m = near_sums_of(dots_in_lanes(r, v), sigma);
         discriminant d = discriminant_near(&m, a);
         double t = later_root(a, m.b, m.c, sqrt(fabs(d.d))); // as a rule it is
@@ -86,50 +86,6 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
     if (passes(a, b, c) && is_passing_known(a, b, c) && sigma > 0x1p-450)
         return passing_time(a, b);
     return disjoint_time_far(r, v, sigma);
-}
-
-// --- Fast ----------------------------------------------------------------------
-
-/** Of a pair that is in range. */
-BRINK_INLINE double meeting_time_fast(const outline *o)
-{
-    if (o->b >= 0 || o->d <= 0)
-        return (double)INFINITY;
-    double t = (o->c > 0 ? o->c : 0) / (sqrt(o->d) - o->b);
-    return is_too_late(o, t) ? -o->b / o->a : t;
-}
-
-static __attribute__((noinline)) double
-intersection_rescued(const double r[3], const double v[3], double sigma)
-{
-    scaled_pair p;
-    if (!scale_pair(&p, r, v, sigma))
-        return (double)NAN;
-    outline o = outline_of(p.r, p.v, p.sigma);
-    return unscaled_time(&p, meeting_time_fast(&o));
-}
-
-double brink_intersection_time_fast(const double r[3], const double v[3],
-                                    double sigma)
-{
-    outline o = outline_of(r, v, sigma);
-    if (!is_in_range_fast(&o, sigma))
-        return intersection_rescued(r, v, sigma);
-    return meeting_time_fast(&o);
-}
-
-double brink_disjoint_time_fast(const double r[3], const double v[3],
-                                double sigma)
-{
-    double a = dot_rounded(v, v), b = dot_rounded(r, v);
-    double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
-    if (!(are_in_range(a, rr, ss) && sigma > 0))
-        return brink_disjoint_time_slow(r, v, sigma);
-    if (!is_far(rr, ss))
-        return later_root(a, b, c, root_of_chord(fma(b, b, -a * c)));
-    if (passes(a, b, c))
-        return passing_time(a, b);
-    return later_root(a, b, c, root_of_chord(chord_of(r, v, sigma).d));
 }
 
 // --- Correctly rounded ---------------------------------------------------------

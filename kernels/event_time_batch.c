@@ -9,7 +9,7 @@
 #include "path.h"
 
 #include "event_time.h"
-#include "event_time_parting.h"
+#include "event_time_fast.h"
 
 enum { BLOCK = 128, GROUP = 8 };
 
@@ -101,9 +101,9 @@ static void meet_fast(int n, const many *p, double *t)
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
         outline o = outline_of(r, v, sigma);
-        int never = (o.b >= 0) | (o.d <= 0);
-        double time = (o.c > 0 ? o.c : 0) / (sqrt(o.d > 0 ? o.d : 0) - o.b);
-        time = is_too_late(&o, time) ? -o.b / o.a : time;
+        double sum = o.b + sqrt(fabs(o.minus_d));
+        double time = fabs(sum < 0 ? sum : 0) / o.a;
+        int never = (bits_of(o.b) & bits_of(o.minus_d)) >> 63 == 0;
         time = never ? (double)INFINITY : time;
         t[i] = is_in_range_fast(&o, sigma) ? time : -1;
     }
@@ -132,7 +132,7 @@ static void part(int n, const many *p, double *t)
         discriminant far = discriminant_of(dot_of(v, v), &m);
         discriminant near = discriminant_near(&k, a);
         int far_certain = far.certain & sigma_in_range(sigma);
-        int near_certain = near.certain & are_in_range(a, ss, ss) & (sigma > 0);
+        int near_certain = near.certain & are_in_range(a, ss) & (sigma > 0);
         int is_it_far = is_far(dot_rounded(r, r), ss);
         int certain = is_it_far ? far_certain : near_certain;
         double d = is_it_far ? far.d : near.d;
@@ -147,7 +147,7 @@ static void pass_fast(int n, const many *p, double *t)
         GET_PAIR(p, i);
         double a = dot_rounded(v, v), b = dot_rounded(r, v);
         double rr = dot_rounded(r, r), ss = sigma * sigma;
-        int certain = are_in_range(a, rr, ss) & (sigma > 0) & is_far(rr, ss) &
+        int certain = are_in_range(a, rr + ss) & (sigma >= 0) & is_far(rr, ss) &
                       passes(a, b, rr - ss);
         t[i] = certain ? passing_time(a, b) : -1;
     }
@@ -163,8 +163,9 @@ static void part_fast(int n, const many *p, double *t)
         double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
         int far = is_far(rr, ss);
         int certain =
-            are_in_range(a, rr, ss) & (sigma > 0) & !(far & passes(a, b, c));
-        double d = far ? chord_of(r, v, sigma).d : fma(b, b, -a * c);
+            are_in_range(a, rr + ss) & (sigma >= 0) & !(far & passes(a, b, c));
+        double minus_d = outline_of(r, v, sigma).minus_d;
+        double d = far ? -minus_d : fma(b, b, -a * c);
         double time = later_root(a, b, c, root_of_chord(d));
         t[i] = certain ? time : -1;
     }

@@ -27,10 +27,8 @@ static int is_finite(const double x[3])
     return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]);
 }
 
-static __attribute__((noinline)) double any_time(const double r[3],
-                                                 const double v[3],
-                                                 const double n[3],
-                                                 const double c[3])
+static BRINK_APART double any_time(const double r[3], const double v[3],
+                                   const double n[3], const double c[3])
 {
     if (!is_finite(r) || !is_finite(v) || !is_finite(n) || !is_finite(c))
         return (double)NAN;

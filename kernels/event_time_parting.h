@@ -16,13 +16,13 @@
  */
 #include "event_time_sums.h"
 
-/** Whether v.v, sigma^2 and R are within 2^-256 and 2^256, and with them all that
- *  is made of them well within range: by their exponents. */
-BRINK_INLINE int are_in_range(double a, double rr, double ss)
+/** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, with
+ *  all that is made of them well within range: by their exponents. */
+BRINK_INLINE int are_in_range(double a, double size)
 {
-    uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
-    all |= ((bits_of(rr + ss) >> 52) - offset) | ((bits_of(ss) >> 52) - offset);
-    return all < 512;
+    const uint64_t least = 1023 - 256, exponents = 512;
+    uint64_t x = (bits_of(a) >> 52) - least, y = (bits_of(size) >> 52) - least;
+    return (x | y) < exponents;
 }
 
 /** first ? x : y, never a branch. */
@@ -151,28 +151,5 @@ BRINK_INLINE discriminant discriminant_near(const near_sums *m, double a)
     int inside = is_known(-c, m->c_error);
     int near = (b < 0) & (d > 0.75 * bb) & (d > 0x1p55 * a * m->c_error);
     return (discriminant){d, now + inside + near != 0}; // `|` would be branches
-}
-
-// --- Fast ----------------------------------------------------------------------
-//
-// How far from the surface the pair can be at the time answered, in u: 16 sigma
-// + 16 |v| t are allowed.  It moves outward at a speed of sqrt(d) / sigma <= |v|,
-// and an error e of a t^2 + 2 b t + c is e / (2 sigma).
-//
-//     far           d from the chord, off by 7.5u s, s < 2 sigma^2 a: 7.5 sigma.
-//                   b, off by 3u |r| |v|: 3 |r| <= 3 (sigma + |v| t).  a, root,
-//                   sum and quotient, 3 + 1 + 1 + 1 of t: 6 |v| t
-//     near, b > 0   a root of the polynomial of a, b, c as they are rounded:
-//                   3 a t^2 + 6 |r| |v| t + 4 sigma^2, so 6 |v| t + 2 sigma, as
-//                   |v| t <= 2 sigma.  a c, d, root, sum and quotient: 4 |v| t
-//     near, b <= 0  b: 3 |r| < 3.1 sigma; c: 2.1 sigma; a and a c in d: 2 sigma;
-//                   d: 0.6 sigma; and 6 |v| t as above
-//
-// To first order an error of the time does not displace a pair that passes by.
-
-/** sqrt(max(0, d)), never a branch. */
-BRINK_INLINE double root_of_chord(double d)
-{
-    return sqrt(0.5 * (d + fabs(d)));
 }
 #endif

@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include <string.h>
 #ifdef __SSE2__
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 #ifdef __FAST_MATH__
@@ -117,10 +117,25 @@ BRINK_INLINE dd dd_sqrt(dd x)
 // Without a branch, whatever the compiler thinks: these are asked where either
 // answer is as likely.
 
+#ifdef __SSE2__
+/** x in the low half of a register, whose high half does not matter: GCC spends
+ *  an instruction on clearing that. */
+BRINK_INLINE __m128d in_register(double x)
+{
+#ifdef __clang__
+    return _mm_set_sd(x);
+#else
+    __m128d v;
+    __asm__("" : "=x"(v) : "0"(x));
+    return v;
+#endif
+}
+#endif
+
 BRINK_INLINE double larger(double x, double y) // y, if one is not a number
 {
 #ifdef __SSE2__
-    return _mm_cvtsd_f64(_mm_max_sd(_mm_set_sd(x), _mm_set_sd(y)));
+    return _mm_cvtsd_f64(_mm_max_sd(in_register(x), in_register(y)));
 #else
     return x > y ? x : y;
 #endif
@@ -129,9 +144,21 @@ BRINK_INLINE double larger(double x, double y) // y, if one is not a number
 BRINK_INLINE double smaller(double x, double y) // y, if one is not a number
 {
 #ifdef __SSE2__
-    return _mm_cvtsd_f64(_mm_min_sd(_mm_set_sd(x), _mm_set_sd(y)));
+    return _mm_cvtsd_f64(_mm_min_sd(in_register(x), in_register(y)));
 #else
     return x < y ? x : y;
+#endif
+}
+
+/** y where the sign bit of x is set, otherwise z. */
+BRINK_INLINE double if_negative(double x, double y, double z)
+{
+#ifdef __AVX__
+    __m128d chosen =
+        _mm_blendv_pd(in_register(z), in_register(y), in_register(x));
+    return _mm_cvtsd_f64(chosen);
+#else
+    return signbit(x) ? y : z;
 #endif
 }
 

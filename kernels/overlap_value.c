@@ -170,33 +170,30 @@ static int plane_exact(brink_dyadic *f, const double n[3], const double r[3],
     return 1;
 }
 
-static __attribute__((noinline)) double
-ball_value(const double r[3], const double v[3], double sigma, double t)
+static BRINK_APART double ball_value(const double r[3], const double v[3],
+                                     double sigma, double t)
 {
     brink_dyadic f;
     return ball_exact(&f, r, v, sigma, t) ? brink_dyadic_round(&f) : (double)NAN;
 }
 
-static __attribute__((noinline)) int
-ball_sign(const double r[3], const double v[3], double sigma, double t)
+static BRINK_APART int ball_sign(const double r[3], const double v[3],
+                                 double sigma, double t)
 {
     brink_dyadic f;
     return ball_exact(&f, r, v, sigma, t) ? f.sign : 0;
 }
 
-static __attribute__((noinline)) double plane_value(const double n[3],
-                                                    const double r[3],
-                                                    const double v[3],
-                                                    const double c[3], double t)
+static BRINK_APART double plane_value(const double n[3], const double r[3],
+                                      const double v[3], const double c[3],
+                                      double t)
 {
     brink_dyadic f;
     return plane_exact(&f, n, r, v, c, t) ? brink_dyadic_round(&f) : (double)NAN;
 }
 
-static __attribute__((noinline)) int plane_sign(const double n[3],
-                                                const double r[3],
-                                                const double v[3],
-                                                const double c[3], double t)
+static BRINK_APART int plane_sign(const double n[3], const double r[3],
+                                  const double v[3], const double c[3], double t)
 {
     brink_dyadic f;
     return plane_exact(&f, n, r, v, c, t) ? f.sign : 0;

@@ -32,7 +32,6 @@
 #define brink_ball_overlap_rate_sign_at                                          \
     BRINK_ON_PATH(brink_ball_overlap_rate_sign_at)
 #define brink_halfspace_overlap      BRINK_ON_PATH(brink_halfspace_overlap)
-#define brink_halfspace_overlap_sign BRINK_ON_PATH(brink_halfspace_overlap_sign)
 #define brink_halfspace_overlap_rate BRINK_ON_PATH(brink_halfspace_overlap_rate)
 #define brink_halfspace_overlap_at   BRINK_ON_PATH(brink_halfspace_overlap_at)
 #define brink_halfspace_overlap_sign_at                                          \

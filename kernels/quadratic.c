@@ -88,8 +88,8 @@ static balanced balance(double a, double b, double c) // a, c not 0
     return (balanced){scaled_a, scaled_b, pc.m, eb, unit};
 }
 
-static __attribute__((noinline)) int roots_rescued(double a, double b, double c,
-                                                   double *x0, double *x1)
+static BRINK_APART int roots_rescued(double a, double b, double c, double *x0,
+                                     double *x1)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return -1;
@@ -135,8 +135,8 @@ int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1)
     return roots_rescued(a, b, c, x0, x1);
 }
 
-static __attribute__((noinline)) int
-roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
+static BRINK_APART int roots_exact(double a, double b, double c, double *x0,
+                                   double *x1) // a is not 0
 {
     const double two = 2;
     brink_dyadic a2, b1, c2, bb, ac, d; // 2a x^2 + 2 b x + 2c
@@ -191,8 +191,8 @@ BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1
     return 2;
 }
 
-static __attribute__((noinline)) int
-roots_rescued_cr(double a, double b, double c, double *x0, double *x1)
+static BRINK_APART int roots_rescued_cr(double a, double b, double c, double *x0,
+                                        double *x1)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return -1;

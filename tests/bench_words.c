@@ -21,7 +21,7 @@ brink_words bench_error(double ulps)
 brink_words bench_percent(double part)
 {
     brink_words w;
-    snprintf(w.text, sizeof w.text, "%.2g %%", 100 * part);
+    snprintf(w.text, sizeof w.text, "%.2g %%", 100 * part);
     return w;
 }
 

@@ -60,7 +60,8 @@ static double gap_at(const pair_case *p, const mpfr_t t)
     return gap;
 }
 
-/** How far it is at time t from where it is at the exact time. */
+/** How far it is at time t from where it is at the exact time; on the way until
+ *  the later of them. */
 static double gap_between(const pair_case *p, const mpfr_t t, const mpfr_t exact)
 {
     mpfr_t one, two;
@@ -68,7 +69,7 @@ static double gap_between(const pair_case *p, const mpfr_t t, const mpfr_t exact
     distance_at(one, p, t);
     distance_at(two, p, exact);
     mpfr_sub(one, one, two, ORACLE_N);
-    const double gap = in_eps(p, one, t);
+    const double gap = in_eps(p, one, mpfr_cmp(t, exact) > 0 ? t : exact);
     mpfr_clears(one, two, (mpfr_ptr)0);
     return gap;
 }
@@ -113,13 +114,18 @@ static double gap_of_intersection(const pair_case *p, double answer,
 {
     mpfr_t t;
     mpfr_init2(t, ORACLE_BITS);
-    mpfr_set_d(t, answer, ORACLE_N);
-    if (isinf(answer)) // a pair that is missed
-        closest(t, p);
     const int same = isinf(answer) && mpfr_inf_p(exact);
     const int now = answer == 0 && mpfr_zero_p(exact);
     const int either = (answer == 0 || isinf(answer)) && hardly_moves(p);
-    const double gap = same || now || either ? 0 : gap_at(p, t);
+    double gap = 0;
+    if (!same && !now && !either) {
+        // At the ends of the range never may stand for late, and now for past.
+        mpfr_set_d(t, fmin(answer, DBL_MAX), ORACLE_N);
+        gap = gap_at(p, t);
+        closest(t, p);
+        if (answer < DBL_MIN || isinf(answer))
+            gap = fmin(gap, gap_at(p, t));
+    }
     mpfr_clear(t);
     return gap;
 }

@@ -276,6 +276,56 @@ static inline void family_remainder(stream *s, pair_case *p)
         p->sigma *= 1 - fabs(stream_scaled(s, -40, 0));
 }
 
+/** As cancelling, but far from the sphere, so that b is the time's numerator. */
+static inline void family_missing(stream *s, pair_case *p)
+{
+    family_cancelling(s, p);
+    p->sigma *= stream_real(s, 0.1, 0.9);
+}
+
+/** One coordinate closes the gap that the others leave to sigma^2, but for 2^-108
+ *  to 2^-45 of it, of either sign. */
+static inline void family_closing(stream *s, pair_case *p)
+{
+    const int first = stream_int(s, 0, 2);
+    p->sigma = stream_real(s, 1, 2);
+    const double x = 0.9 * fabs(stream_scaled(s, -12, 0));
+    const double y = nextafter(sqrt(fma(p->sigma, p->sigma, -x * x)), 0);
+    const double ss = p->sigma * p->sigma, xx = x * x, yy = y * y;
+    // What is left over, to 64 bits: differences of the leading parts are exact.
+    const long double low =
+        ((long double)fma(p->sigma, p->sigma, -ss) - fma(x, x, -xx)) -
+        fma(y, y, -yy);
+    const long double gap = (((long double)ss - xx) - yy) + low;
+    p->r[first] = x * stream_sign(s);
+    p->r[(first + 1) % 3] = y * stream_sign(s);
+    const long double beyond = gap + stream_scaled(s, -108, -45);
+    p->r[(first + 2) % 3] = (double)sqrtl(fabsl(beyond));
+    fill_normal(s, p->v, 1);
+}
+
+/** Just outside, or inside, and so nearly along the surface that b^2 is not much
+ *  more than a c. */
+static inline void family_skimming(stream *s, pair_case *p)
+{
+    double normal[3];
+    fill_normal(s, normal, 1);
+    resize(normal, 1);
+    fill_normal(s, p->v, 1);
+    double along =
+        p->v[0] * normal[0] + p->v[1] * normal[1] + p->v[2] * normal[2];
+    const double gap = stream_scaled(s, -50, -9); // c = 2 gap, all but
+    for (int i = 0; i < 3; i++) {
+        p->r[i] = (1 + gap) * normal[i];
+        p->v[i] -= along * normal[i];
+    }
+    const double slope = sqrt(2 * fabs(gap) * stream_real(s, 0.9, 3));
+    const double speed = length_of(p->v), way = stream_int(s, 0, 3) ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        p->v[i] += way * slope * speed * normal[i];
+    p->sigma = 1;
+}
+
 /** Where squares, products or the answer are on the edge of underflow. */
 static inline void family_edge(stream *s, pair_case *p)
 {
@@ -327,6 +377,9 @@ static const pair_family pair_families[] = {
     {"edge", family_edge},
     {"sideways", family_sideways},
     {"remainder", family_remainder},
+    {"missing", family_missing},
+    {"closing", family_closing},
+    {"skimming", family_skimming},
 };
 enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
 #endif

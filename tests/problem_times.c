@@ -9,6 +9,7 @@
 #include "problems_all.h"
 #include "rivals.h"
 #include <brink/event_time.h>
+#include <float.h>
 
 static const char *family(int k)
 {
@@ -88,14 +89,13 @@ static double depth_missed(const double *x)
     return fmin(depth, in_eps(x, rate / speed, 0));
 }
 
-/** A time that has lost digits to the end of the range may stand for one at
- *  which the pair just touches. */
+/** A time at an end of the range may stand for one beyond it: never for one too
+ *  large, and the least for one at which the pair is past the rim already. */
 static double gap_of_intersection(const double *x, double t)
 {
-    if (isinf(t))
-        return depth_missed(x);
-    const double gap = in_eps(x, distance_at(x, t) - x[6], t);
-    return t < 0x1p-1022 ? fmin(gap, depth_missed(x)) : gap;
+    const double last = fmin(t, DBL_MAX);
+    const double gap = in_eps(x, distance_at(x, last) - x[6], last);
+    return t < DBL_MIN || isinf(t) ? fmin(gap, depth_missed(x)) : gap;
 }
 
 // --- Verdicts ------------------------------------------------------------------
@@ -131,8 +131,8 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     if (v.wrong == WRONG_SPURIOUS || isinf(y[0]) || isinf(exact->hi))
         v.error[1] = (double)INFINITY;
     else
-        v.error[1] =
-            in_eps(x, distance_at(x, y[0]) - distance_at(x, exact->hi), y[0]);
+        v.error[1] = in_eps(x, distance_at(x, y[0]) - distance_at(x, exact->hi),
+                            fmaxl(y[0], exact->hi));
     return v;
 }
 

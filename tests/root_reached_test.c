@@ -14,30 +14,31 @@ enum { CASES = 200000, SEED = 1 };
 
 static int roots, midpoints, in_root;
 
-double __real_brink_dyadic_root(const brink_dyadic *a, const brink_dyadic *b,
-                                const brink_dyadic *c, const brink_dyadic *d,
-                                enum brink_which which);
-double __wrap_brink_dyadic_root(const brink_dyadic *a, const brink_dyadic *b,
-                                const brink_dyadic *c, const brink_dyadic *d,
-                                enum brink_which which);
-void __real_brink_dyadic_integer(brink_dyadic *z, int64_t m, int e);
-void __wrap_brink_dyadic_integer(brink_dyadic *z, int64_t m, int e);
+// By the names that the linker's --wrap gives to what is called, and to who asks.
+typedef double root_of(const brink_dyadic *a, const brink_dyadic *b,
+                       const brink_dyadic *c, const brink_dyadic *d,
+                       enum brink_which which);
+typedef void integer_of(brink_dyadic *z, int64_t m, int e);
+root_of real_root __asm__("__real_brink_dyadic_root");
+root_of counted_root __asm__("__wrap_brink_dyadic_root");
+integer_of real_integer __asm__("__real_brink_dyadic_integer");
+integer_of counted_integer __asm__("__wrap_brink_dyadic_integer");
 
-double __wrap_brink_dyadic_root(const brink_dyadic *a, const brink_dyadic *b,
-                                const brink_dyadic *c, const brink_dyadic *d,
-                                enum brink_which which)
+double counted_root(const brink_dyadic *a, const brink_dyadic *b,
+                    const brink_dyadic *c, const brink_dyadic *d,
+                    enum brink_which which)
 {
     roots++;
     in_root = 1;
-    const double x = __real_brink_dyadic_root(a, b, c, d, which);
+    const double x = real_root(a, b, c, d, which);
     in_root = 0;
     return x;
 }
 
-void __wrap_brink_dyadic_integer(brink_dyadic *z, int64_t m, int e)
+void counted_integer(brink_dyadic *z, int64_t m, int e)
 {
     midpoints += in_root;
-    __real_brink_dyadic_integer(z, m, e);
+    real_integer(z, m, e);
 }
 
 static void solve(const char *name)
