@@ -189,6 +189,8 @@ static inline void family_scaled(stream *s, pair_case *p)
     for (int i = 0; i < 3; i++) {
         p->r[i] = ldexp(p->r[i], lengths);
         p->v[i] = ldexp(p->v[i], times);
+        if (!isfinite(p->r[i]))
+            p->r[i] = 0;
         if (!isfinite(p->v[i]))
             p->v[i] = 0;
     }
