@@ -19,15 +19,16 @@ BRINK_INLINE double told_time(const meeting *m)
     return if_negative(m->b, t, (double)INFINITY);
 }
 
-/** Of a pair that takes all there is to know of it. */
-static BRINK_APART double intersection_time_close(const double r[3],
-                                                  const double v[3], double sigma)
+/** Of a pair that is not certain to miss. */
+static BRINK_APART double intersection_time_near(const double r[3],
+                                                 const double v[3], double sigma)
 {
     if (sigma_in_range(sigma)) {
         sums m = sums_in_lanes(r, v, sigma);
         meeting told = meeting_of(&m);
+        double t = told_time(&told); // as a rule it is
         if (is_certain(&told))
-            return told_time(&told);
+            return t;
         look_closer(&m, r, sigma); // on the surface, as likely as not
         told = meeting_of(&m);
         if (is_certain(&told))
@@ -36,25 +37,11 @@ static BRINK_APART double intersection_time_close(const double r[3],
     return brink_intersection_time_slow(r, v, sigma);
 }
 
-static BRINK_APART double intersection_time_near(const double r[3],
-                                                 const double v[3], double sigma)
-{
-    double a = dot_rounded(v, v);
-    near_sums m = near_sums_of(dots_in_lanes(r, v), sigma);
-    meeting told = meeting_near(&m, a);
-    double t = told_time(&told); // as a rule it is
-    if (is_certain(&told) && are_in_range(a, m.size) && sigma > 0)
-        return t;
-    return intersection_time_close(r, v, sigma);
-}
-
 double brink_intersection_time(const double r[3], const double v[3], double sigma)
 {
-    if (!is_remote(r, sigma))
-        return intersection_time_near(r, v, sigma);
     if (is_certain_to_miss(r, v, sigma))
         return (double)INFINITY;
-    return intersection_time_close(r, v, sigma);
+    return intersection_time_near(r, v, sigma);
 }
 
 /** Of a far pair that is not certain to pass. */
@@ -160,7 +147,7 @@ BRINK_INLINE double quotient_told(dd x, dd y)
 double brink_intersection_time_cr(const double r[3], const double v[3],
                                   double sigma)
 {
-    if (is_remote(r, sigma) && is_certain_to_miss(r, v, sigma))
+    if (is_certain_to_miss(r, v, sigma))
         return (double)INFINITY;
     if (sigma_in_range(sigma)) {
         fine_sums m = fine_sums_of(r, v, sigma);

@@ -83,8 +83,7 @@ static void miss(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        int certain = is_remote(r, sigma) & is_certain_to_miss(r, v, sigma);
-        t[i] = certain ? (double)INFINITY : -1;
+        t[i] = is_certain_to_miss(r, v, sigma) ? (double)INFINITY : -1;
     }
 }
 
@@ -94,20 +93,6 @@ BRINK_INLINE double time_if_certain(const meeting *m)
     double t = m->later ? time_of_meeting(m) : -1;
     t = m->now ? 0 : t;
     return m->never ? (double)INFINITY : t;
-}
-
-static void meet_nearby(int n, const many *p, double *t)
-{
-    for (int i = 0; i < n; i++) {
-        GET_PAIR(p, i);
-        double a = dot_rounded(v, v);
-        near_sums m = near_sums_of((two_dots){dot_of(r, v), dot_of(r, r)}, sigma);
-        meeting told = meeting_near(&m, a);
-        double time = time_if_certain(&told);
-        int is_remote_or_odd =
-            is_remote(r, sigma) | !(are_in_range(a, m.size) & (sigma > 0));
-        t[i] = is_remote_or_odd ? -1 : time;
-    }
 }
 
 static void meet(int n, const many *p, double *t)
@@ -233,7 +218,7 @@ void brink_intersection_times(size_t n, const double *rx, const double *ry,
                               const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    glance *const glances[] = {miss, meet_nearby, meet, NULL};
+    glance *const glances[] = {miss, meet, NULL};
     in_blocks(n, &all, t, glances, brink_intersection_time);
 }
 

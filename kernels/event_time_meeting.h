@@ -4,25 +4,22 @@
 /**
  * When a pair meets, for the intersection times; not installed.
  *
- * Of pairs that are remote nearly all part or pass by, which a filter tells; all
- * others go one way without a branch, as nobody can foresee which of them
- * approach and which of these meet.  Names and bounds as in event_time_sums.h.
+ * Most pairs part or pass by, which a filter tells.  The others go one way
+ * without a branch, as nobody can foresee which of them meet.  Names and bounds
+ * as in event_time_sums.h.
  */
 #include "event_time_sums.h"
 
-/** Whether a pair is remote and certain never to meet. */
+/** Whether a pair is certain never to meet: it parts, or is far and passes.  b is
+ *  off by 3u P, and P^2 <= a r.r. */
 BRINK_INLINE int is_certain_to_miss(const double r[3], const double v[3],
                                     double sigma)
 {
     double a = dot_rounded(v, v), b = dot_rounded(r, v);
-    double rr = dot_rounded(r, r), c = rr - sigma * sigma;
-    return passes(a, b, c) & are_in_range(a, rr) & (sigma >= 0);
-}
-
-/** More than two diameters apart: far, and with few that meet. */
-BRINK_INLINE int is_remote(const double r[3], double sigma)
-{
-    return dot_rounded(r, r) > 4 * (sigma * sigma);
+    double rr = dot_rounded(r, r), ss = sigma * sigma;
+    int parts = (b > 0) & (b * b > 0x1p-100 * (a * rr));
+    int misses = parts | (is_far(rr, ss) & passes(a, b, rr - ss));
+    return misses & are_in_range(a, rr) & is_radius(sigma);
 }
 
 /** A verdict on a pair, each part of it 1 only where it is certain. */
@@ -48,35 +45,7 @@ BRINK_INLINE meeting meeting_of(const sums *m)
     return (meeting){b, c, d.d, never, now, later};
 }
 
-/**
- * The same of a pair that is no more than two diameters apart, with less: d = b^2
- * - a c, as it is, is off by 7u b^2 + 5u |d|, and a c_error.  a may be off by 3u,
- * c by 1u + k, b by 1u; b^2, d, its root, the sum and the quotient are rounded.
- * With w = sqrt(d) / (sqrt(d) - b), which is at most 1/2, the time is off by
- *
- *     [1 + k + 3 (1 - 2w) + (1 - w)^2 + 2 (1 - w)] / 2w  +  w / 2 + w + 2
- *
- * in u, for c, a, b^2, b, d, its root, and the last two roundings:
- *
- *     d > b^2 / 3, w > 0.366, k < 0.36:    at most 7.8
- *     d > 0.95 b^2, w > 0.493, k < 2.85:   at most 7.97
- *
- * What b is off by, 7u^2 P, is less than 2^-25 u of it there, as b^2 > a c.
- */
-BRINK_INLINE meeting meeting_near(const near_sums *m, double a)
-{
-    double b = m->b, c = m->c, bb = b * b, d = fma(-a, c, bb);
-    int is_b_certain = bb > 0x1p-200 * a * m->size;
-    int passes_by = d < -fma(0x1p-48, bb, 2 * a * m->c_error);
-    int never = passes_by + ((b > 0) & is_b_certain);
-    int now = (b < 0) & is_b_certain & (c < -2 * m->c_error);
-    int slanting = (3 * d > bb) & is_known(c, 8 * m->c_error);
-    int head_on = (d > 0.95 * bb) & is_known(c, m->c_error);
-    int later = (b < 0) & (slanting + head_on != 0);
-    return (meeting){b, c, d, never, now, later};
-}
-
-/** The time of one that meets later, within 8 ulp.  By meeting_of: c is off by 1u
+/** The time of one that meets later, within 8 ulp: c is off by 1u
  *  + 2.85u; sqrt(d), at most half of the sum, by 1.2u + 1u, and b by 1u; sum and
  *  quotient are rounded: 3.85u + (2.2u + 1u) / 2 + 2u < 8u, and 8u are at most 8
  *  ulp. */

@@ -65,6 +65,26 @@ BRINK_INLINE int is_passing_known(double a, double b, double c)
 
 // --- Near ----------------------------------------------------------------------
 
+/** b and c, off by 1u and what they were before they were rounded: 7u^2 P, and
+ *  c_error unless c is as large as R / 3, where it is off by 2u in all. */
+typedef struct near_sums {
+    double b, c, c_error, size;
+} near_sums;
+
+/**
+ * The error of c <= 7u^2 R where |c| < R / 3, so that r.r < 2/3 R and the
+ * difference of the leading parts is exact: what is left over of r.r is off by
+ * 7u^2 r.r and less than 3u r.r, so with that of sigma^2 it is off by 7u^2 r.r +
+ * u^2 (3 r.r + sigma^2) = u^2 (9 r.r + R).
+ */
+BRINK_INLINE near_sums near_sums_of(two_dots x, double sigma)
+{
+    dd ss = two_prod(sigma, sigma);
+    double size = x.rr.hi + ss.hi;
+    return (near_sums){sum_of(x.rv), (x.rr.hi - ss.hi) + (x.rr.lo - ss.lo),
+                       0x1.cp-104 * size, size};
+}
+
 /** As look_closer; with c_error larger than it need be, so that d is larger than
  *  2^-90 Q where it is certain. */
 BRINK_INLINE void look_closer_near(near_sums *m, const double r[3], double sigma)

@@ -42,6 +42,13 @@ BRINK_INLINE double dot_rounded(const double x[3], const double y[3])
     return fma(x[0], y[0], fma(x[1], y[1], x[2] * y[2])); // 3u sum |x_i y_i|
 }
 
+/** Finite and not negative. */
+BRINK_INLINE int is_radius(double sigma)
+{
+    const uint64_t infinite = 2047; // and larger with a sign
+    return bits_of(sigma) >> 52 < infinite;
+}
+
 /** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, with
  *  all that is made of them well within range: by their exponents. */
 BRINK_INLINE int are_in_range(double a, double size)
@@ -120,26 +127,6 @@ BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
     double size = t.hi - q.hi;
     return (sums){
         dot_of(v, v), dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
-}
-
-/** b and c, off by 1u and what they were before they were rounded: 7u^2 P, and
- *  c_error unless c is as large as R / 3, where it is off by 2u in all. */
-typedef struct near_sums {
-    double b, c, c_error, size;
-} near_sums;
-
-/**
- * The error of c <= 7u^2 R where |c| < R / 3, so that r.r < 2/3 R and the
- * difference of the leading parts is exact: what is left over of r.r is off by
- * 7u^2 r.r and less than 3u r.r, so with that of sigma^2 it is off by 7u^2 r.r +
- * u^2 (3 r.r + sigma^2) = u^2 (9 r.r + R).
- */
-BRINK_INLINE near_sums near_sums_of(two_dots x, double sigma)
-{
-    dd ss = two_prod(sigma, sigma);
-    double size = x.rr.hi + ss.hi;
-    return (near_sums){sum_of(x.rv), (x.rr.hi - ss.hi) + (x.rr.lo - ss.lo),
-                       0x1.cp-104 * size, size};
 }
 
 /** c anew, off by 2u^2 of itself and 2^-150 R: the parts left over, which are
