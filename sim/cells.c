@@ -49,26 +49,58 @@ static uint32_t cell_at(const brink_cells *c, const uint64_t x[3])
            (uint32_t)c->count[0] * (index[1] + (uint32_t)c->count[1] * index[2]);
 }
 
+// The last bucket of a cell, which is where there is room or nobody comes after.
+static uint32_t last_of(const brink_cells *c, uint32_t cell)
+{
+    uint32_t at = cell;
+    while (c->bucket[at].fill > BRINK_BUCKET)
+        at = c->bucket[at].fill;
+    return at;
+}
+
 static void enter(brink_cells *c, uint32_t i, uint32_t cell)
 {
-    const uint32_t head = c->first[cell];
-    c->next[i] = head;
-    c->previous[i] = BRINK_NOBODY;
-    if (head != BRINK_NOBODY)
-        c->previous[head] = i;
-    c->first[cell] = i;
+    uint32_t at = last_of(c, cell);
+    if (c->bucket[at].fill == BRINK_BUCKET) {
+        const uint32_t fresh = c->free;
+        c->free = c->bucket[fresh].fill;
+        c->bucket[fresh].fill = 0;
+        c->bucket[at].fill = fresh;
+        at = fresh;
+    }
+    brink_bucket *b = &c->bucket[at];
+    b->who[b->fill++] = i;
     c->cell[i] = cell;
 }
 
+// The place of a particle in its cell's buckets.
+static uint32_t *place_of(const brink_cells *c, uint32_t i)
+{
+    uint32_t at = c->cell[i];
+    for (;;) {
+        brink_bucket *b = &c->bucket[at];
+        for (uint32_t k = 0; k < b->fill && k < BRINK_BUCKET; k++)
+            if (b->who[k] == i)
+                return &b->who[k];
+        at = b->fill;
+    }
+}
+
+// The last of the cell moves up into the place.
 static void leave(brink_cells *c, uint32_t i)
 {
-    const uint32_t before = c->previous[i], after = c->next[i];
-    if (before != BRINK_NOBODY)
-        c->next[before] = after;
-    else
-        c->first[c->cell[i]] = after;
-    if (after != BRINK_NOBODY)
-        c->previous[after] = before;
+    const uint32_t cell = c->cell[i], at = last_of(c, cell);
+    brink_bucket *last = &c->bucket[at];
+    uint32_t *place = place_of(c, i);
+    *place = last->who[--last->fill];
+    if (last->fill > 0 || at == cell)
+        return;
+    uint32_t before = cell;
+    while (c->bucket[before].fill != at)
+        before = c->bucket[before].fill;
+    c->bucket[before].fill = BRINK_BUCKET;
+    last->fill = c->free;
+    c->free = at;
 }
 
 int brink_cells_create(brink_cells *c, const brink_system *system)
@@ -76,15 +108,17 @@ int brink_cells_create(brink_cells *c, const brink_system *system)
     memset(c, 0, sizeof *c);
     c->particles = system->count;
     choose(c, system);
-    c->first = malloc(c->total * sizeof *c->first);
-    c->next = malloc(c->particles * sizeof *c->next);
-    c->previous = malloc(c->particles * sizeof *c->previous);
+    // Each further bucket comes after a full one, which no other comes after.
+    const uint32_t further = c->particles / BRINK_BUCKET;
+    c->bucket = calloc((size_t)c->total + further, sizeof *c->bucket);
     c->cell = malloc(c->particles * sizeof *c->cell);
-    if (!c->first || !c->next || !c->previous || !c->cell || build_walls(c)) {
+    if (!c->bucket || !c->cell || build_walls(c)) {
         brink_cells_destroy(c);
         return -1;
     }
-    memset(c->first, 0xff, c->total * sizeof *c->first);
+    c->free = c->total;
+    for (uint32_t k = 0; k < further; k++)
+        c->bucket[c->total + k].fill = c->total + k + 1;
     for (uint32_t i = 0; i < c->particles; i++)
         enter(c, i, cell_at(c, system->particle[i].x));
     return 0;
@@ -94,25 +128,23 @@ void brink_cells_destroy(brink_cells *c)
 {
     for (int a = 0; a < 3; a++)
         free(c->wall[a]);
-    free(c->first);
-    free(c->next);
-    free(c->previous);
+    free(c->bucket);
     free(c->cell);
     memset(c, 0, sizeof *c);
 }
 
 const char *brink_cells_is_valid(const brink_cells *c)
 {
-    uint32_t filed = 0;
+    uint32_t filed = 0, who[BRINK_HANDFUL];
     for (uint32_t cell = 0; cell < c->total; cell++) {
-        uint32_t before = BRINK_NOBODY;
-        for (uint32_t i = c->first[cell]; i != BRINK_NOBODY; i = c->next[i]) {
-            if (i >= c->particles || c->cell[i] != cell ||
-                c->previous[i] != before)
-                return "a cell's list and its particles disagree";
-            if (++filed > c->particles)
-                return "a cell's list runs in a circle";
-            before = i;
+        brink_tour tour = brink_tour_of(&cell, 1);
+        for (int n; (n = brink_tour_next(c, &tour, who)) > 0;) {
+            filed += (uint32_t)n;
+            if (filed > c->particles)
+                return "more particles are in cells than there are";
+            for (int k = 0; k < n; k++)
+                if (who[k] >= c->particles || c->cell[who[k]] != cell)
+                    return "a cell and its particles disagree";
         }
     }
     return filed == c->particles ? NULL : "a particle is in no cell";

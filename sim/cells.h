@@ -18,7 +18,15 @@
  */
 #include "system.h"
 
-#define BRINK_NOBODY UINT32_MAX
+#define BRINK_BUCKET 3
+
+/** Whom a cell holds, in no order.  Cells hold one or two as a rule: so three
+ * are kept where the cell itself is, and the rest in further buckets.  Side by
+ * side, a row of cells is a cache line or two. */
+typedef struct brink_bucket {
+    uint32_t who[BRINK_BUCKET];
+    uint32_t fill; // how many; or, of a full one, the bucket that goes on
+} brink_bucket;
 
 typedef struct brink_cells {
     int count[3];       // cells along each axis
@@ -26,9 +34,9 @@ typedef struct brink_cells {
     uint32_t particles; // number of them
     uint32_t total;     // cells: count[0] * count[1] * count[2]
     uint64_t *wall[3]; // per axis: the lower wall of each cell, and the box's end
-    uint32_t *first;   // per cell: its first particle, or BRINK_NOBODY
-    uint32_t *next, *previous; // per particle: its neighbours in the list
-    uint32_t *cell;            // per particle: the logical state, x fastest
+    brink_bucket *bucket; // one a cell, then those for the rest
+    uint32_t free;        // the first of those unused, chained by `fill`
+    uint32_t *cell;       // per particle: the logical state, x fastest
 } brink_cells;
 
 /** A crossing: the axis of the wall and the way, -1 or +1. */
@@ -61,4 +69,45 @@ int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
  * images. */
 int brink_cells_ahead(const brink_cells *c, uint32_t cell,
                       brink_crossing crossing, uint32_t ahead[27]);
+
+/** Whoever is in some cells, a handful at a time. */
+typedef struct brink_tour {
+    const uint32_t *cell; // those still to be seen
+    int cells;
+    uint32_t bucket; // to go on with; BRINK_NOBODY: the next cell's
+} brink_tour;
+
+#define BRINK_NOBODY  UINT32_MAX
+#define BRINK_HANDFUL 64
+
+static inline brink_tour brink_tour_of(const uint32_t *cell, int cells)
+{
+    return (brink_tour){cell, cells, BRINK_NOBODY};
+}
+
+/** The next of them; how many, 0 when all have been seen.  Every bucket is copied
+ * whole and counted afterwards: how many it holds is nothing that a processor
+ * could foresee. */
+static inline int brink_tour_next(const brink_cells *c, brink_tour *tour,
+                                  uint32_t who[BRINK_HANDFUL])
+{
+    int n = 0;
+    while (tour->cells > 0 && n <= BRINK_HANDFUL - BRINK_BUCKET) {
+        const uint32_t at =
+            tour->bucket == BRINK_NOBODY ? *tour->cell : tour->bucket;
+        const brink_bucket *b = &c->bucket[at];
+        for (int k = 0; k < BRINK_BUCKET; k++)
+            who[n + k] = b->who[k];
+        if (b->fill > BRINK_BUCKET) {
+            tour->bucket = b->fill;
+            n += BRINK_BUCKET;
+        } else {
+            tour->bucket = BRINK_NOBODY;
+            tour->cell++;
+            tour->cells--;
+            n += (int)b->fill;
+        }
+    }
+    return n;
+}
 #endif

@@ -98,9 +98,11 @@ static void predict_in(search *s, const uint32_t *cells, int count,
 {
     const brink_run *house = s->house;
     const brink_system *system = &house->system;
-    for (int n = 0; n < count; n++)
-        for (uint32_t k = house->cells.first[cells[n]]; k != BRINK_NOBODY;
-             k = house->cells.next[k]) {
+    uint32_t who[BRINK_HANDFUL];
+    brink_tour tour = brink_tour_of(cells, count);
+    for (int n; (n = brink_tour_next(&house->cells, &tour, who)) > 0;)
+        for (int m = 0; m < n; m++) {
+            const uint32_t k = who[m];
             if (k == s->i)
                 continue;
             double r[3], v[3];
@@ -329,12 +331,12 @@ double brink_energy_by_position(const brink_run *run)
     brink_sum sum = {0};
     brink_sum_add(&sum, brink_system_kinetic_energy(s));
     for (uint32_t i = 0; i < s->count; i++) {
-        uint32_t around[27];
-        const int cells =
-            brink_cells_around(&run->cells, run->cells.cell[i], around);
-        for (int n = 0; n < cells; n++)
-            for (uint32_t k = run->cells.first[around[n]]; k != BRINK_NOBODY;
-                 k = run->cells.next[k]) {
+        uint32_t around[27], who[BRINK_HANDFUL];
+        brink_tour tour = brink_tour_of(
+            around, brink_cells_around(&run->cells, run->cells.cell[i], around));
+        for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
+            for (int m = 0; m < n; m++) {
+                const uint32_t k = who[m];
                 if (k <= i)
                     continue;
                 const brink_potential *p = brink_system_potential(s, i, k);

@@ -165,29 +165,35 @@ static void list_images(brink_run *run)
             }
 }
 
-// Levels by position, of every pair of adjacent particles.
-static int find_levels(brink_run *run)
+// Levels by position, of i and those in adjacent cells.
+static int find_levels_of(brink_run *run, uint32_t i)
 {
     const brink_system *s = &run->system;
-    for (uint32_t i = 0; i < s->count; i++) {
-        uint32_t around[27];
-        const int cells =
-            brink_cells_around(&run->cells, run->cells.cell[i], around);
-        for (int n = 0; n < cells; n++)
-            for (uint32_t k = run->cells.first[around[n]]; k != BRINK_NOBODY;
-                 k = run->cells.next[k]) {
-                if (k <= i)
-                    continue;
-                const brink_potential *p = brink_system_potential(s, i, k);
-                double r[3];
-                brink_system_separation(s, i, k, 0.0, r);
-                const int seen = brink_step_level_at(p, r);
-                const int most = brink_potential_levels(p) - 1;
-                if (brink_states_set(&run->states, s, i, k,
-                                     seen < most ? seen : most))
-                    return -1;
-            }
-    }
+    uint32_t around[27], who[BRINK_HANDFUL];
+    brink_tour tour = brink_tour_of(
+        around, brink_cells_around(&run->cells, run->cells.cell[i], around));
+    for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
+        for (int m = 0; m < n; m++) {
+            const uint32_t k = who[m];
+            if (k <= i)
+                continue;
+            const brink_potential *p = brink_system_potential(s, i, k);
+            double r[3];
+            brink_system_separation(s, i, k, 0.0, r);
+            const int seen = brink_step_level_at(p, r);
+            const int most = brink_potential_levels(p) - 1;
+            if (brink_states_set(&run->states, s, i, k,
+                                 seen < most ? seen : most))
+                return -1;
+        }
+    return 0;
+}
+
+static int find_levels(brink_run *run)
+{
+    for (uint32_t i = 0; i < run->system.count; i++)
+        if (find_levels_of(run, i))
+            return -1;
     return 0;
 }
 
@@ -198,8 +204,7 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     memset(system, 0, sizeof *system);
     run->tier = tier;
     const uint32_t n = run->system.count;
-    run->mark = calloc(n, 1);
-    if (!run->mark || brink_cells_create(&run->cells, &run->system) ||
+    if (brink_cells_create(&run->cells, &run->system) ||
         brink_states_create(&run->states, &run->system) ||
         brink_calendar_create(&run->calendar, 2 * n, run->system.year, 2 * n)) {
         brink_run_destroy(run);
@@ -233,7 +238,6 @@ void brink_run_destroy(brink_run *run)
     brink_states_destroy(&run->states);
     brink_cells_destroy(&run->cells);
     brink_calendar_destroy(&run->calendar);
-    free(run->mark);
     memset(run, 0, sizeof *run);
 }
 

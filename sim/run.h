@@ -62,7 +62,6 @@ typedef struct brink_run {
     double momentum_begin[3];
     double image[27][3]; // shifts to the images a particle is looked for in
     int images;
-    uint8_t *mark; // per particle, scratch: 1 while it is a known partner
 } brink_run;
 
 enum brink_run_status {

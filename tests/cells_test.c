@@ -68,17 +68,18 @@ START_TEST(whoever_is_in_range_is_adjacent)
     for (int dimensions = 2; dimensions <= 3; dimensions++) {
         brink_system s;
         brink_cells c;
-        uint32_t around[27];
+        uint32_t around[27], who[BRINK_HANDFUL];
         double r[3];
         make(&s, dimensions, 12, 9, dimensions == 3 ? 4 : 1, 500, rng);
         ck_assert_int_eq(brink_cells_create(&c, &s), 0);
         for (uint32_t i = 0; i < s.count; i++) {
             uint8_t adjacent[500] = {0};
-            const int n = brink_cells_around(&c, c.cell[i], around);
-            for (int k = 0; k < n; k++)
-                for (uint32_t j = c.first[around[k]]; j != BRINK_NOBODY;
-                     j = c.next[j])
-                    ck_assert_msg(!adjacent[j]++, "%u twice around %u", j, i);
+            brink_tour tour =
+                brink_tour_of(around, brink_cells_around(&c, c.cell[i], around));
+            for (int n; (n = brink_tour_next(&c, &tour, who)) > 0;)
+                for (int k = 0; k < n; k++)
+                    ck_assert_msg(!adjacent[who[k]]++, "%u twice around %u",
+                                  who[k], i);
             for (uint32_t j = 0; j < s.count; j++) {
                 brink_system_separation(&s, i, j, 0.0, r);
                 if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] <= 1)
