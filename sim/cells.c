@@ -189,13 +189,14 @@ double brink_cells_crossing(const brink_cells *c, const brink_system *system,
         const uint64_t wall = c->wall[a][index[a] + up];
         const int64_t units = (int64_t)(up ? wall - p->x[a] : p->x[a] - wall);
         const double gap = (double)units * system->unit[a];
-        const double t = gap / fabs(v) - (offset - p->since);
+        const double t = gap / fabs(v);
         if (t < soonest) {
             soonest = t;
             *crossing = (brink_crossing){a, up ? 1 : -1};
         }
     }
-    return fmax(soonest, 0.0);
+    soonest += p->since;
+    return soonest > offset ? soonest : offset;
 }
 
 int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)

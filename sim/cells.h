@@ -53,8 +53,9 @@ const char *brink_cells_is_valid(const brink_cells *c);
 /** Sets a particle's cell from a stored state (a checkpoint). */
 void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell);
 
-/** Time from `offset` in the current year until particle i meets the wall it is
- * heading for, >= 0, and which; +inf where it never does. */
+/** When particle i meets the wall it is heading for, as an offset that may lie
+ * beyond the year's end, and which; not before `offset`; +inf where it never does.
+ * It is the same whenever it is asked for, until the particle's state changes. */
 double brink_cells_crossing(const brink_cells *c, const brink_system *system,
                             uint32_t i, double offset, brink_crossing *crossing);
 

@@ -146,10 +146,11 @@ static void predict_crossing(brink_run *house, uint32_t i)
 {
     const brink_system *s = &house->system;
     brink_crossing next = {0, 0};
-    const double dt =
+    const double then =
         brink_cells_crossing(&house->cells, s, i, house->now.offset, &next);
+    const brink_instant new_year = {s->epoch, 0.0};
     const brink_entry entry = {.when =
-                                   brink_instant_after(s->year, house->now, dt),
+                                   brink_instant_after(s->year, new_year, then),
                                .i = i,
                                .j = (uint32_t)(2 * next.axis + (next.way > 0)),
                                .kind = BRINK_ENTRY_CELL};
@@ -281,7 +282,7 @@ static enum brink_run_status execute(brink_conventional *c, uint32_t slot)
     if (house->system.particle[partner].generation == entry.generation)
         return meet(c, &entry, c->seen[slot]);
     house->tally.stale++;
-    brink_system_advance(&house->system, slot, entry.when.offset);
+    predict_crossing(house, slot);
     predict(c, slot);
     return BRINK_RUN_REACHED;
 }
@@ -308,12 +309,19 @@ int brink_conventional_create(brink_conventional *c, brink_system *system,
         return -1;
     c->rule = rule;
     c->seen = calloc(count, sizeof *c->seen);
-    if (c->seen == NULL) {
+    // Two slots a particle, unlike a run: its event with another, and its crossing.
+    brink_calendar *calendar = &c->house.calendar;
+    brink_calendar_destroy(calendar);
+    if (c->seen == NULL ||
+        brink_calendar_create(calendar, 2 * count, c->house.system.year,
+                              2 * count)) {
         brink_conventional_destroy(c);
         return -1;
     }
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++) {
         predict(c, i);
+        predict_crossing(&c->house, i);
+    }
     return 0;
 }
 

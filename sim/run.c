@@ -17,7 +17,6 @@ static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry
     if (!brink_cells_cross(&run->cells, i, crossing))
         return BRINK_RUN_REFUSED;
     run->tally.cell++;
-    brink_predict_crossing(run, i, offset);
     brink_predict_ahead(run, i, offset, crossing);
     return BRINK_RUN_REACHED;
 }
@@ -101,8 +100,6 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
         run->tally.refused += applied > 0;
         return applied > 0 ? BRINK_RUN_REFUSED : BRINK_RUN_NO_MEMORY;
     }
-    brink_predict_crossing(run, i, offset);
-    brink_predict_crossing(run, j, offset);
     brink_predict(run, i, offset);
     brink_predict(run, j, offset);
     // A scene may have as many simultaneous events as it has pairs in contact,
@@ -123,7 +120,6 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
     const uint32_t partner = slot == entry.i ? entry.j : entry.i;
     if (s->particle[partner].generation != entry.generation) {
         run->tally.stale++;
-        brink_system_advance(s, slot, entry.when.offset);
         brink_predict(run, slot, entry.when.offset);
         return BRINK_RUN_REACHED;
     }
@@ -204,9 +200,12 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     memset(system, 0, sizeof *system);
     run->tier = tier;
     const uint32_t n = run->system.count;
-    if (brink_cells_create(&run->cells, &run->system) ||
+    run->meeting = malloc(n * sizeof *run->meeting);
+    // A year is as long as a particle takes to cross a cell or two (see
+    // brink_kinetic_year), so that a day has an event or a few.
+    if (!run->meeting || brink_cells_create(&run->cells, &run->system) ||
         brink_states_create(&run->states, &run->system) ||
-        brink_calendar_create(&run->calendar, 2 * n, run->system.year, 2 * n)) {
+        brink_calendar_create(&run->calendar, n, run->system.year, 2 * n)) {
         brink_run_destroy(run);
         return -1;
     }
@@ -222,10 +221,8 @@ int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier)
         brink_run_destroy(run);
         return -1;
     }
-    for (uint32_t i = 0; i < run->system.count; i++) {
+    for (uint32_t i = 0; i < run->system.count; i++)
         brink_predict(run, i, 0.0);
-        brink_predict_crossing(run, i, 0.0);
-    }
     run->energy_begin = brink_run_energy(run);
     run->kinetic_begin = brink_system_kinetic_energy(&run->system);
     brink_system_momentum(&run->system, run->momentum_begin);
@@ -238,6 +235,7 @@ void brink_run_destroy(brink_run *run)
     brink_states_destroy(&run->states);
     brink_cells_destroy(&run->cells);
     brink_calendar_destroy(&run->calendar);
+    free(run->meeting);
     memset(run, 0, sizeof *run);
 }
 

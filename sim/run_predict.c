@@ -3,6 +3,9 @@
 #include "run_batch.h"
 #include <math.h>
 
+// Memory is asked for before it is needed, many places at once.
+#define BRINK_PREFETCH(address) __builtin_prefetch(address)
+
 // The search for a slot's next pair event: the earliest found so far, and those
 // who are still to be looked at.
 typedef struct search {
@@ -102,42 +105,113 @@ static void add_partner(search *s, uint32_t k, int level)
         look_outward(s);
 }
 
-// An uncaptured pair can meet the outermost step, in any image.
-static inline void add_stranger(search *s, uint32_t k)
+// An uncaptured pair can meet the outermost step: those of `who`, in their nearest
+// images.  This is where a run spends its time: what belongs to i is held in
+// registers, which the compiler may do because nothing written here is read.
+static void add_nearest(search *s, const uint32_t *who, int count)
+{
+    const brink_system *system = &s->run->system;
+    const brink_particle *const particle = system->particle;
+    const brink_particle p = particle[s->i];
+    const brink_potential *const with =
+        &system->potential[p.species * (uint32_t)system->species_count];
+    const double offset = s->offset, dp = offset - p.since;
+    const double unit[3] = {system->unit[0], system->unit[1], system->unit[2]};
+    const double way[3] = {p.v[0] * dp, p.v[1] * dp, p.v[2] * dp};
+    if (s->inward.count + count > BRINK_BATCH)
+        look_inward(s);
+    brink_batch *restrict b = &s->inward;
+    for (int m = 0, n = b->count; m < count; m++, n++) {
+        const brink_particle *q = &particle[who[m]];
+        const double dq = offset - q->since;
+        b->who[n] = who[m];
+        b->step[n] = with[q->species].distance[0];
+        for (int a = 0; a < 3; a++) {
+            b->r[a][n] = (double)(int64_t)(p.x[a] - q->x[a]) * unit[a] +
+                         (way[a] - q->v[a] * dq);
+            b->v[a][n] = p.v[a] - q->v[a];
+        }
+    }
+    b->count += count;
+}
+
+// The same in every image.
+static void add_images(search *s, const uint32_t *who, int count)
 {
     const brink_run *run = s->run;
-    const brink_potential *p = brink_system_potential(&run->system, s->i, k);
-    double r[3], v[3];
-    relative(s, k, r, v);
-    for (int m = 0; m < run->images; m++) {
-        const double *shift = run->image[m];
-        const double image[3] = {r[0] + shift[0], r[1] + shift[1],
-                                 r[2] + shift[2]};
-        if (brink_batch_add(&s->inward, k, image, v, p->distance[0]))
-            look_inward(s);
+    for (int n = 0; n < count; n++) {
+        const brink_potential *p =
+            brink_system_potential(&run->system, s->i, who[n]);
+        double r[3], v[3];
+        relative(s, who[n], r, v);
+        for (int m = 0; m < run->images; m++) {
+            const double *shift = run->image[m];
+            const double image[3] = {r[0] + shift[0], r[1] + shift[1],
+                                     r[2] + shift[2]};
+            if (brink_batch_add(&s->inward, who[n], image, v, p->distance[0]))
+                look_inward(s);
+        }
     }
 }
 
 static void add_partners(search *s)
 {
     const brink_states *states = &s->run->states;
-    for (uint32_t n = states->first[s->i]; n != BRINK_NO_LINK;
-         n = states->link[n].next)
-        add_partner(s, states->link[n].partner, states->link[n].level);
+    const brink_link *link = brink_states_links(states, s->i);
+    for (uint32_t n = 0; n < states->circle[s->i].count; n++)
+        add_partner(s, link[n].partner, link[n].level);
+}
+
+// Leaves of `who` only those who are neither i nor its partners, and has their
+// data fetched.
+static int keep_strangers(const search *s, uint32_t *who, int count)
+{
+    const brink_run *run = s->run;
+    const uint64_t hint = brink_states_hint(&run->states, s->i);
+    int kept = 0;
+    for (int n = 0; n < count; n++) {
+        const uint32_t k = who[n];
+        BRINK_PREFETCH(&run->system.particle[k]);
+        who[kept] = k;
+        kept +=
+            k != s->i && !brink_states_is_partner(&run->states, s->i, k, hint);
+    }
+    return kept;
 }
 
 // Everybody in these cells but i and its partners.
 static void add_strangers(search *s, const uint32_t *cells, int count)
 {
     const brink_run *run = s->run;
-    const uint64_t hint = brink_states_hint(&run->states, s->i);
     uint32_t who[BRINK_HANDFUL];
     brink_tour tour = brink_tour_of(cells, count);
-    for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
-        for (int m = 0; m < n; m++)
-            if (who[m] != s->i &&
-                !brink_states_is_partner(&run->states, s->i, who[m], hint))
-                add_stranger(s, who[m]);
+    for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;) {
+        n = keep_strangers(s, who, n);
+        if (run->images == 1)
+            add_nearest(s, who, n);
+        else
+            add_images(s, who, n);
+    }
+}
+
+static void wait_for(brink_run *run, uint32_t i, double offset,
+                     const brink_entry *meeting)
+{
+    const brink_system *system = &run->system;
+    const brink_instant new_year = {system->epoch, 0.0};
+    brink_crossing next = {0, 0};
+    const double then =
+        brink_cells_crossing(&run->cells, system, i, offset, &next);
+    const brink_entry crossing = {
+        .when = brink_instant_after(system->year, new_year, then),
+        .i = i,
+        .j = (uint32_t)(2 * next.axis + (next.way > 0)),
+        .kind = BRINK_ENTRY_CELL,
+    };
+    run->meeting[i] = *meeting;
+    brink_calendar_set(&run->calendar, i,
+                       brink_entry_compare(meeting, &crossing) < 0 ? meeting
+                                                                   : &crossing);
 }
 
 void brink_predict(brink_run *run, uint32_t i, double offset)
@@ -150,7 +224,7 @@ void brink_predict(brink_run *run, uint32_t i, double offset)
                   brink_cells_around(&run->cells, run->cells.cell[i], around));
     look_inward(&s);
     look_outward(&s);
-    brink_calendar_set(&run->calendar, i, &s.best);
+    wait_for(run, i, offset, &s.best);
 }
 
 // Particle i has just come by `crossing`: only those ahead of it are new.  Its
@@ -163,26 +237,11 @@ void brink_predict_ahead(brink_run *run, uint32_t i, double offset,
     search s;
     uint32_t ahead[27];
     begin(&s, run, i, offset);
-    s.best = run->calendar.entry[i];
+    s.best = run->meeting[i];
     s.soonest = brink_instant_since(run->system.year, s.best.when, new_year);
     add_strangers(
         &s, ahead,
         brink_cells_ahead(&run->cells, run->cells.cell[i], crossing, ahead));
     look_inward(&s);
-    brink_calendar_set(&run->calendar, i, &s.best);
-}
-
-void brink_predict_crossing(brink_run *run, uint32_t i, double offset)
-{
-    const brink_system *system = &run->system;
-    brink_crossing next = {0, 0};
-    const double dt = brink_cells_crossing(&run->cells, system, i, offset, &next);
-    const brink_instant now = {system->epoch, offset};
-    const brink_entry entry = {
-        .when = brink_instant_after(system->year, now, dt),
-        .i = i,
-        .j = (uint32_t)(2 * next.axis + (next.way > 0)),
-        .kind = BRINK_ENTRY_CELL,
-    };
-    brink_calendar_set(&run->calendar, system->count + i, &entry);
+    wait_for(run, i, offset, &s.best);
 }
