@@ -42,6 +42,8 @@
 #define brink_core_impulse            BRINK_ON_PATH(brink_core_impulse)
 #define brink_step_impulse            BRINK_ON_PATH(brink_step_impulse)
 #define brink_rim_impulse             BRINK_ON_PATH(brink_rim_impulse)
+#define brink_predict                 BRINK_ON_PATH(brink_predict)
+#define brink_predict_ahead           BRINK_ON_PATH(brink_predict_ahead)
 #endif
 
 #ifdef BRINK_DISPATCH

@@ -215,6 +215,7 @@ static int block(const brink_cells *c, uint32_t cell, const int low[3],
                  const int high[3], uint32_t out[27])
 {
     int index[3], side[3][3], n = 0;
+    const int nx = c->count[0], ny = c->count[1];
     split(c, cell, index);
     for (int a = 0; a < 3; a++)
         for (int d = low[a]; d <= high[a]; d++) {
@@ -224,9 +225,11 @@ static int block(const brink_cells *c, uint32_t cell, const int low[3],
                                                      : k;
         }
     for (int z = 0; z <= high[2] - low[2]; z++)
-        for (int y = 0; y <= high[1] - low[1]; y++)
+        for (int y = 0; y <= high[1] - low[1]; y++) {
+            const int row = nx * (side[1][y] + ny * side[2][z]);
             for (int x = 0; x <= high[0] - low[0]; x++)
-                out[n++] = join(c, (int[3]){side[0][x], side[1][y], side[2][z]});
+                out[n++] = (uint32_t)(row + side[0][x]);
+        }
     return n;
 }
 
@@ -253,4 +256,22 @@ int brink_cells_ahead(const brink_cells *c, uint32_t cell,
     if (c->images[crossing.axis] == 1)
         low[crossing.axis] = high[crossing.axis] = crossing.way;
     return block(c, cell, low, high, ahead);
+}
+
+int brink_tour_further(const brink_cells *c, brink_tour *tour,
+                       uint32_t who[BRINK_HANDFUL])
+{
+    uint32_t n = 0, at = tour->further;
+    while (at > BRINK_BUCKET && n <= BRINK_HANDFUL - BRINK_BUCKET) {
+        const brink_bucket *b = &c->bucket[at];
+        at = b->fill;
+        for (uint32_t k = 0; k < BRINK_BUCKET && k < at; k++)
+            who[n++] = b->who[k];
+    }
+    tour->further = at > BRINK_BUCKET ? at : 0;
+    if (!tour->further) {
+        tour->cell++;
+        tour->cells--;
+    }
+    return (int)n;
 }

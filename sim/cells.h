@@ -37,6 +37,7 @@ typedef struct brink_cells {
     brink_bucket *bucket; // one a cell, then those for the rest
     uint32_t free;        // the first of those unused, chained by `fill`
     uint32_t *cell;       // per particle: the logical state, x fastest
+    int32_t around[27];   // where the cells adjacent to one inside the box are
 } brink_cells;
 
 /** A crossing: the axis of the wall and the way, -1 or +1. */
@@ -54,8 +55,8 @@ const char *brink_cells_is_valid(const brink_cells *c);
 void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell);
 
 /** When particle i meets the wall it is heading for, as an offset that may lie
- * beyond the year's end, and which; not before `offset`; +inf where it never does.
- * It is the same whenever it is asked for, until the particle's state changes. */
+ * beyond the year's end, and which; not before `offset`; +inf where it never
+ * does.  The same whenever it is asked for, until the particle's state changes. */
 double brink_cells_crossing(const brink_cells *c, const brink_system *system,
                             uint32_t i, double offset, brink_crossing *crossing);
 
@@ -75,40 +76,45 @@ int brink_cells_ahead(const brink_cells *c, uint32_t cell,
 typedef struct brink_tour {
     const uint32_t *cell; // those still to be seen
     int cells;
-    uint32_t bucket; // to go on with; BRINK_NOBODY: the next cell's
+    uint32_t further; // the bucket to go on with; 0: the next cell's
 } brink_tour;
 
 #define BRINK_NOBODY  UINT32_MAX
-#define BRINK_HANDFUL 64
+#define BRINK_HANDFUL 128
 
 static inline brink_tour brink_tour_of(const uint32_t *cell, int cells)
 {
-    return (brink_tour){cell, cells, BRINK_NOBODY};
+    return (brink_tour){cell, cells, 0};
 }
+
+/** The next of a cell with more of them than its own bucket holds. */
+int brink_tour_further(const brink_cells *c, brink_tour *tour,
+                       uint32_t who[BRINK_HANDFUL]);
 
 /** The next of them; how many, 0 when all have been seen.  Every bucket is copied
  * whole and counted afterwards: how many it holds is nothing that a processor
- * could foresee. */
+ * could foresee, and it need not wait for that to fetch the next. */
 static inline int brink_tour_next(const brink_cells *c, brink_tour *tour,
                                   uint32_t who[BRINK_HANDFUL])
 {
-    int n = 0;
-    while (tour->cells > 0 && n <= BRINK_HANDFUL - BRINK_BUCKET) {
-        const uint32_t at =
-            tour->bucket == BRINK_NOBODY ? *tour->cell : tour->bucket;
-        const brink_bucket *b = &c->bucket[at];
+    if (tour->further)
+        return brink_tour_further(c, tour, who);
+    const uint32_t *cell = tour->cell, *const end = cell + tour->cells;
+    uint32_t n = 0, further = 0;
+    while (cell < end && n <= BRINK_HANDFUL - BRINK_BUCKET) {
+        const brink_bucket *b = &c->bucket[*cell];
+        const uint32_t fill = b->fill;
         for (int k = 0; k < BRINK_BUCKET; k++)
-            who[n + k] = b->who[k];
-        if (b->fill > BRINK_BUCKET) {
-            tour->bucket = b->fill;
+            who[n + (uint32_t)k] = b->who[k];
+        if (fill > BRINK_BUCKET) {
             n += BRINK_BUCKET;
-        } else {
-            tour->bucket = BRINK_NOBODY;
-            tour->cell++;
-            tour->cells--;
-            n += (int)b->fill;
+            further = fill;
+            break;
         }
+        n += fill;
+        cell++;
     }
-    return n;
+    *tour = (brink_tour){cell, (int)(end - cell), further};
+    return (int)n;
 }
 #endif

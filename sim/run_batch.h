@@ -7,7 +7,7 @@
  */
 #include "run.h"
 
-#define BRINK_BATCH 64
+#define BRINK_BATCH BRINK_HANDFUL
 
 typedef struct brink_batch {
     int count;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "run_predict.h"
+#include <brink/path.h>
+
 #include "run_batch.h"
+#include "run_predict.h"
 #include <math.h>
+#include <string.h>
 
 // Memory is asked for before it is needed, many places at once.
 #define BRINK_PREFETCH(address) __builtin_prefetch(address)
@@ -29,9 +32,6 @@ static void begin(search *s, const brink_run *run, uint32_t i, double offset)
 
 static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
 {
-    const double sum = s->offset + dt;
-    if (!(sum <= s->soonest) || isinf(sum))
-        return;
     const brink_run *run = s->run;
     const brink_instant now = {run->system.epoch, s->offset};
     const brink_entry found = {
@@ -44,8 +44,23 @@ static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
     };
     if (brink_entry_compare(&found, &s->best) < 0) {
         s->best = found;
-        s->soonest = sum;
+        s->soonest = s->offset + dt;
     }
+}
+
+// The earliest of some times, which have room for three more; +inf of none.
+static double first_of(double *t, int count)
+{
+    double first[4] = {(double)INFINITY, (double)INFINITY, (double)INFINITY,
+                       (double)INFINITY};
+    for (int n = count; n % 4 != 0; n++)
+        t[n] = (double)INFINITY;
+    for (int n = 0; n < count; n += 4) // in fours, which do not wait for each other
+        for (int k = 0; k < 4; k++)
+            first[k] = t[n + k] < first[k] ? t[n + k] : first[k];
+    const double a = first[0] < first[1] ? first[0] : first[1];
+    const double b = first[2] < first[3] ? first[2] : first[3];
+    return a < b ? a : b;
 }
 
 // Offers what those in a batch have, and empties it: all that are not later than
@@ -53,18 +68,19 @@ static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
 static void look_at(search *s, brink_batch *b, brink_batch_times *times,
                     enum brink_entry_kind kind)
 {
-    double t[BRINK_BATCH], first = (double)INFINITY;
-    if (b->count == 0)
-        return;
-    times((size_t)b->count, b->r[0], b->r[1], b->r[2], b->v[0], b->v[1], b->v[2],
-          b->step, t);
-    for (int n = 0; n < b->count; n++)
-        first = t[n] < first ? t[n] : first;
-    const double sum = s->offset + first;
-    for (int n = 0; n < b->count; n++)
-        if (s->offset + t[n] <= sum)
-            offer(s, b->who[n], t[n], kind);
+    double t[BRINK_BATCH];
+    const int count = b->count;
     b->count = 0;
+    if (count == 0)
+        return;
+    times((size_t)count, b->r[0], b->r[1], b->r[2], b->v[0], b->v[1], b->v[2],
+          b->step, t);
+    const double offset = s->offset, first = offset + first_of(t, count);
+    if (!(first <= s->soonest) || isinf(first))
+        return;
+    for (int n = 0; n < count; n++)
+        if (offset + t[n] <= first)
+            offer(s, b->who[n], t[n], kind);
 }
 
 static void look_inward(search *s)
@@ -105,34 +121,52 @@ static void add_partner(search *s, uint32_t k, int level)
         look_outward(s);
 }
 
+// All axes at once, in three lanes of four.
+typedef double lanes __attribute__((vector_size(32)));
+typedef int64_t units __attribute__((vector_size(32)));
+_Static_assert(offsetof(brink_particle, v) == 24 &&
+                   offsetof(brink_particle, since) == 48,
+               "four lanes from x[0] or v[0] are inside a particle");
+
+static inline void load(units *x, lanes *v, const brink_particle *p)
+{
+    memcpy(x, p, sizeof *x);
+    memcpy(v, (const char *)p + offsetof(brink_particle, v), sizeof *v);
+}
+
 // An uncaptured pair can meet the outermost step: those of `who`, in their nearest
-// images.  This is where a run spends its time: what belongs to i is held in
-// registers, which the compiler may do because nothing written here is read.
+// images, as brink_system_separation has them.  A run spends most of its time here.
 static void add_nearest(search *s, const uint32_t *who, int count)
 {
     const brink_system *system = &s->run->system;
-    const brink_particle *const particle = system->particle;
-    const brink_particle p = particle[s->i];
+    const brink_particle *const particle = system->particle, *p = &particle[s->i];
     const brink_potential *const with =
-        &system->potential[p.species * (uint32_t)system->species_count];
-    const double offset = s->offset, dp = offset - p.since;
-    const double unit[3] = {system->unit[0], system->unit[1], system->unit[2]};
-    const double way[3] = {p.v[0] * dp, p.v[1] * dp, p.v[2] * dp};
+        &system->potential[p->species * (uint32_t)system->species_count];
+    const double offset = s->offset, *u = system->unit;
+    const lanes unit = {u[0], u[1], u[2], 0.0};
+    units px, qx;
+    lanes pv, qv;
+    load(&px, &pv, p);
+    const lanes way = pv * (offset - p->since);
     if (s->inward.count + count > BRINK_BATCH)
         look_inward(s);
-    brink_batch *restrict b = &s->inward;
-    for (int m = 0, n = b->count; m < count; m++, n++) {
-        const brink_particle *q = &particle[who[m]];
-        const double dq = offset - q->since;
-        b->who[n] = who[m];
+    brink_batch *const b = &s->inward;
+    const int begin = b->count, end = begin + count;
+    for (int n = begin; n < end; n++) {
+        const uint32_t k = who[n - begin];
+        const brink_particle *q = &particle[k];
+        load(&qx, &qv, q);
+        const lanes v = pv - qv;
+        const lanes r = __builtin_convertvector(px - qx, lanes) * unit +
+                        (way - qv * (offset - q->since));
+        b->who[n] = k;
         b->step[n] = with[q->species].distance[0];
         for (int a = 0; a < 3; a++) {
-            b->r[a][n] = (double)(int64_t)(p.x[a] - q->x[a]) * unit[a] +
-                         (way[a] - q->v[a] * dq);
-            b->v[a][n] = p.v[a] - q->v[a];
+            b->r[a][n] = r[a];
+            b->v[a][n] = v[a];
         }
     }
-    b->count += count;
+    b->count = end;
 }
 
 // The same in every image.
