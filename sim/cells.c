@@ -103,6 +103,64 @@ static void leave(brink_cells *c, uint32_t i)
     c->free = at;
 }
 
+static void split(const brink_cells *c, uint32_t cell, int index[3])
+{
+    const uint32_t nx = (uint32_t)c->count[0], ny = (uint32_t)c->count[1];
+    index[0] = (int)(cell % nx);
+    index[1] = (int)(cell / nx % ny);
+    index[2] = (int)(cell / nx / ny);
+}
+
+static uint32_t join(const brink_cells *c, const int index[3])
+{
+    // NOLINTNEXTLINE(clang-analyzer-core.*): all three are filled in
+    const int row = index[1] + c->count[1] * index[2];
+    return (uint32_t)(index[0] + c->count[0] * row);
+}
+
+// The cells of the block low..high around `cell`, wrapped round.
+static int block(const brink_cells *c, uint32_t cell, const int low[3],
+                 const int high[3], uint32_t out[27])
+{
+    int index[3], side[3][3], n = 0;
+    const int nx = c->count[0], ny = c->count[1];
+    split(c, cell, index);
+    for (int a = 0; a < 3; a++)
+        for (int d = low[a]; d <= high[a]; d++) {
+            const int k = index[a] + d;
+            side[a][d - low[a]] = k < 0              ? k + c->count[a]
+                                  : k >= c->count[a] ? k - c->count[a]
+                                                     : k;
+        }
+    for (int z = 0; z <= high[2] - low[2]; z++)
+        for (int y = 0; y <= high[1] - low[1]; y++) {
+            const int row = nx * (side[1][y] + ny * side[2][z]);
+            for (int x = 0; x <= high[0] - low[0]; x++)
+                out[n++] = (uint32_t)(row + side[0][x]);
+        }
+    return n;
+}
+
+static void reach(const brink_cells *c, int low[3], int high[3])
+{
+    for (int a = 0; a < 3; a++) {
+        high[a] = c->count[a] > 1;
+        low[a] = -high[a];
+    }
+}
+
+// Where the cells adjacent to one inside the box are from it.
+static void list_around(brink_cells *c)
+{
+    int low[3], high[3];
+    uint32_t around[27];
+    reach(c, low, high);
+    const uint32_t inside = join(c, high);
+    c->adjacent = block(c, inside, low, high, around);
+    for (int n = 0; n < c->adjacent; n++)
+        c->around[n] = around[n] - inside;
+}
+
 int brink_cells_create(brink_cells *c, const brink_system *system)
 {
     memset(c, 0, sizeof *c);
@@ -116,6 +174,7 @@ int brink_cells_create(brink_cells *c, const brink_system *system)
         brink_cells_destroy(c);
         return -1;
     }
+    list_around(c);
     c->free = c->total;
     for (uint32_t k = 0; k < further; k++)
         c->bucket[c->total + k].fill = c->total + k + 1;
@@ -156,21 +215,6 @@ void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell)
     enter(c, i, cell);
 }
 
-static void split(const brink_cells *c, uint32_t cell, int index[3])
-{
-    const uint32_t nx = (uint32_t)c->count[0], ny = (uint32_t)c->count[1];
-    index[0] = (int)(cell % nx);
-    index[1] = (int)(cell / nx % ny);
-    index[2] = (int)(cell / nx / ny);
-}
-
-static uint32_t join(const brink_cells *c, const int index[3])
-{
-    // NOLINTNEXTLINE(clang-analyzer-core.*): all three are filled in
-    const int row = index[1] + c->count[1] * index[2];
-    return (uint32_t)(index[0] + c->count[0] * row);
-}
-
 double brink_cells_crossing(const brink_cells *c, const brink_system *system,
                             uint32_t i, double offset, brink_crossing *crossing)
 {
@@ -182,18 +226,18 @@ double brink_cells_crossing(const brink_cells *c, const brink_system *system,
         const double v = p->v[a];
         if (v == 0)
             continue;
-        // The half-space [S16 eq. 4] of the wall ahead; its rate -|v| is
-        // negative.
+        // The half-space [S16 eq. 4] of the wall ahead; gap and v have one sign,
+        // or else the particle is beyond the wall by a rounding.
         const int up = v > 0;
         // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
         const uint64_t wall = c->wall[a][index[a] + up];
-        const int64_t units = (int64_t)(up ? wall - p->x[a] : p->x[a] - wall);
-        const double gap = (double)units * system->unit[a];
-        const double t = gap / fabs(v);
-        if (t < soonest) {
-            soonest = t;
-            *crossing = (brink_crossing){a, up ? 1 : -1};
-        }
+        const double gap = (double)(int64_t)(wall - p->x[a]) * system->unit[a];
+        const double t = gap / v;
+        // Chosen, not branched to: no processor could foresee which.
+        const int sooner = t < soonest;
+        soonest = sooner ? t : soonest;
+        crossing->axis = sooner ? a : crossing->axis;
+        crossing->way = sooner ? 2 * up - 1 : crossing->way;
     }
     soonest += p->since;
     return soonest > offset ? soonest : offset;
@@ -210,42 +254,19 @@ int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
     return 1;
 }
 
-// The cells of the block low..high around `cell`, wrapped round.
-static int block(const brink_cells *c, uint32_t cell, const int low[3],
-                 const int high[3], uint32_t out[27])
-{
-    int index[3], side[3][3], n = 0;
-    const int nx = c->count[0], ny = c->count[1];
-    split(c, cell, index);
-    for (int a = 0; a < 3; a++)
-        for (int d = low[a]; d <= high[a]; d++) {
-            const int k = index[a] + d;
-            side[a][d - low[a]] = k < 0              ? k + c->count[a]
-                                  : k >= c->count[a] ? k - c->count[a]
-                                                     : k;
-        }
-    for (int z = 0; z <= high[2] - low[2]; z++)
-        for (int y = 0; y <= high[1] - low[1]; y++) {
-            const int row = nx * (side[1][y] + ny * side[2][z]);
-            for (int x = 0; x <= high[0] - low[0]; x++)
-                out[n++] = (uint32_t)(row + side[0][x]);
-        }
-    return n;
-}
-
-static void reach(const brink_cells *c, int low[3], int high[3])
-{
-    for (int a = 0; a < 3; a++) {
-        high[a] = c->count[a] > 1;
-        low[a] = -high[a];
-    }
-}
-
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
 {
-    int low[3], high[3];
+    int low[3], high[3], index[3];
     reach(c, low, high);
-    return block(c, cell, low, high, around);
+    split(c, cell, index);
+    int inside = 1;
+    for (int a = 0; a < 3; a++)
+        inside &= index[a] + low[a] >= 0 && index[a] + high[a] < c->count[a];
+    if (!inside)
+        return block(c, cell, low, high, around);
+    for (int n = 0; n < 27; n++)
+        around[n] = cell + c->around[n];
+    return c->adjacent;
 }
 
 int brink_cells_ahead(const brink_cells *c, uint32_t cell,

@@ -37,7 +37,9 @@ typedef struct brink_cells {
     brink_bucket *bucket; // one a cell, then those for the rest
     uint32_t free;        // the first of those unused, chained by `fill`
     uint32_t *cell;       // per particle: the logical state, x fastest
-    int32_t around[27];   // where the cells adjacent to one inside the box are
+    // The cells adjacent to one that is not at the box's end, and their number.
+    uint32_t around[27];
+    int adjacent;
 } brink_cells;
 
 /** A crossing: the axis of the wall and the way, -1 or +1. */

@@ -78,9 +78,18 @@ static void look_at(search *s, brink_batch *b, brink_batch_times *times,
     const double offset = s->offset, first = offset + first_of(t, count);
     if (!(first <= s->soonest) || isinf(first))
         return;
-    for (int n = 0; n < count; n++)
-        if (offset + t[n] <= first)
-            offer(s, b->who[n], t[n], kind);
+    int who = 0, ties = 0;
+    for (int n = 0; n < count; n++) {
+        const int is_first = offset + t[n] <= first;
+        ties += is_first;
+        who = is_first ? n : who;
+    }
+    if (ties == 1)
+        offer(s, b->who[who], t[who], kind);
+    else
+        for (int n = 0; n < count; n++)
+            if (offset + t[n] <= first)
+                offer(s, b->who[n], t[n], kind);
 }
 
 static void look_inward(search *s)
