@@ -12,7 +12,7 @@
 // The search for a slot's next pair event: the earliest found so far, and those
 // who are still to be looked at.
 typedef struct search {
-    const brink_run *run;
+    brink_run *run;
     uint32_t i;
     double offset;  // of now, in the current year
     double soonest; // offset + dt of `best`; its instant follows from this sum
@@ -20,7 +20,7 @@ typedef struct search {
     brink_batch inward, outward; // by the way they would meet the step
 } search;
 
-static void begin(search *s, const brink_run *run, uint32_t i, double offset)
+static void begin(search *s, brink_run *run, uint32_t i, double offset)
 {
     s->run = run;
     s->i = i;
@@ -55,7 +55,8 @@ static double first_of(double *t, int count)
                        (double)INFINITY};
     for (int n = count; n % 4 != 0; n++)
         t[n] = (double)INFINITY;
-    for (int n = 0; n < count; n += 4) // in fours, which do not wait for each other
+    for (int n = 0; n < count;
+         n += 4) // in fours, which do not wait for each other
         for (int k = 0; k < 4; k++)
             first[k] = t[n + k] < first[k] ? t[n + k] : first[k];
     const double a = first[0] < first[1] ? first[0] : first[1];
@@ -104,32 +105,6 @@ static void look_outward(search *s)
             BRINK_ENTRY_OUTWARD);
 }
 
-// Relative position and velocity of i and k, as i's prediction sees them.
-static inline void relative(const search *s, uint32_t k, double r[3], double v[3])
-{
-    const brink_system *system = &s->run->system;
-    brink_system_separation(system, s->i, k, s->offset, r);
-    for (int a = 0; a < 3; a++)
-        v[a] = system->particle[s->i].v[a] - system->particle[k].v[a];
-    // With images the particles can drift past half the box from where they were.
-    for (int a = 0; a < system->dimensions; a++)
-        if (s->run->cells.images[a] > 1)
-            r[a] -= system->length[a] * rint(r[a] / system->length[a]);
-}
-
-// A captured pair can meet the step inside and the step around it [S16 alg. 3].
-static void add_partner(search *s, uint32_t k, int level)
-{
-    const brink_potential *p = brink_system_potential(&s->run->system, s->i, k);
-    double r[3], v[3];
-    relative(s, k, r, v);
-    if (level < p->count &&
-        brink_batch_add(&s->inward, k, r, v, p->distance[level]))
-        look_inward(s);
-    if (brink_batch_add(&s->outward, k, r, v, p->distance[level - 1]))
-        look_outward(s);
-}
-
 // All axes at once, in three lanes of four.
 typedef double lanes __attribute__((vector_size(32)));
 typedef int64_t units __attribute__((vector_size(32)));
@@ -143,9 +118,11 @@ static inline void load(units *x, lanes *v, const brink_particle *p)
     memcpy(v, (const char *)p + offsetof(brink_particle, v), sizeof *v);
 }
 
-// An uncaptured pair can meet the outermost step: those of `who`, in their nearest
-// images, as brink_system_separation has them.  A run spends most of its time here.
-static void add_nearest(search *s, const uint32_t *who, int count)
+// Adds those of `who` to a batch that has room for them, in their nearest images,
+// as brink_system_separation has them, with their outermost steps.  A run spends
+// most of its time here.
+static void add_nearest(const search *s, brink_batch *b, const uint32_t *who,
+                        int count)
 {
     const brink_system *system = &s->run->system;
     const brink_particle *const particle = system->particle, *p = &particle[s->i];
@@ -157,9 +134,6 @@ static void add_nearest(search *s, const uint32_t *who, int count)
     lanes pv, qv;
     load(&px, &pv, p);
     const lanes way = pv * (offset - p->since);
-    if (s->inward.count + count > BRINK_BATCH)
-        look_inward(s);
-    brink_batch *const b = &s->inward;
     const int begin = b->count, end = begin + count;
     for (int n = begin; n < end; n++) {
         const uint32_t k = who[n - begin];
@@ -178,46 +152,88 @@ static void add_nearest(search *s, const uint32_t *who, int count)
     b->count = end;
 }
 
-// The same in every image.
-static void add_images(search *s, const uint32_t *who, int count)
+// With images the particles can drift past half the box from where they were.
+static void wrap(const search *s, brink_batch *b)
 {
-    const brink_run *run = s->run;
-    for (int n = 0; n < count; n++) {
+    const brink_system *system = &s->run->system;
+    for (int a = 0; a < system->dimensions; a++)
+        if (s->run->cells.images[a] > 1)
+            for (int n = 0; n < b->count; n++)
+                b->r[a][n] -=
+                    system->length[a] * rint(b->r[a][n] / system->length[a]);
+}
+
+// A captured pair can meet the step around it and the step inside [S16 alg. 3].
+static void add_steps_inside(search *s, const brink_link *link)
+{
+    brink_batch *b = &s->outward;
+    for (int n = 0; n < b->count; n++) {
         const brink_potential *p =
-            brink_system_potential(&run->system, s->i, who[n]);
-        double r[3], v[3];
-        relative(s, who[n], r, v);
-        for (int m = 0; m < run->images; m++) {
-            const double *shift = run->image[m];
-            const double image[3] = {r[0] + shift[0], r[1] + shift[1],
-                                     r[2] + shift[2]};
-            if (brink_batch_add(&s->inward, who[n], image, v, p->distance[0]))
-                look_inward(s);
-        }
+            brink_system_potential(&s->run->system, s->i, b->who[n]);
+        const int level = link[n].level;
+        const double r[3] = {b->r[0][n], b->r[1][n], b->r[2][n]};
+        const double v[3] = {b->v[0][n], b->v[1][n], b->v[2][n]};
+        b->step[n] = p->distance[level - 1];
+        if (level < p->count &&
+            brink_batch_add(&s->inward, b->who[n], r, v, p->distance[level]))
+            look_inward(s);
     }
 }
 
 static void add_partners(search *s)
 {
-    const brink_states *states = &s->run->states;
-    const brink_link *link = brink_states_links(states, s->i);
-    for (uint32_t n = 0; n < states->circle[s->i].count; n++)
-        add_partner(s, link[n].partner, link[n].level);
+    const brink_link *link = brink_states_links(&s->run->states, s->i);
+    uint32_t left = s->run->states.circle[s->i].count, who[BRINK_BATCH];
+    while (left > 0) {
+        const uint32_t count = left < BRINK_BATCH ? left : BRINK_BATCH;
+        for (uint32_t n = 0; n < count; n++)
+            who[n] = link[n].partner;
+        add_nearest(s, &s->outward, who, (int)count);
+        wrap(s, &s->outward);
+        add_steps_inside(s, link);
+        look_outward(s);
+        link += count;
+        left -= count;
+    }
 }
 
-// Leaves of `who` only those who are neither i nor its partners, and has their
-// data fetched.
-static int keep_strangers(const search *s, uint32_t *who, int count)
+// An uncaptured pair can meet the outermost step, in any image.
+static void add_images(search *s, const uint32_t *who, int count)
 {
     const brink_run *run = s->run;
-    const uint64_t hint = brink_states_hint(&run->states, s->i);
+    brink_batch near;
+    near.count = 0;
+    add_nearest(s, &near, who, count);
+    wrap(s, &near);
+    for (int n = 0; n < count; n++)
+        for (int m = 0; m < run->images; m++) {
+            const double *shift = run->image[m];
+            const double v[3] = {near.v[0][n], near.v[1][n], near.v[2][n]};
+            const double image[3] = {near.r[0][n] + shift[0],
+                                     near.r[1][n] + shift[1],
+                                     near.r[2][n] + shift[2]};
+            if (brink_batch_add(&s->inward, who[n], image, v, near.step[n]))
+                look_inward(s);
+        }
+}
+
+static void mark_known(brink_run *run, uint32_t i, uint8_t mark)
+{
+    const brink_link *link = brink_states_links(&run->states, i);
+    run->known[i] = mark;
+    for (uint32_t n = 0; n < run->states.circle[i].count; n++)
+        run->known[link[n].partner] = mark;
+}
+
+// Leaves of `who` those who are not known, and has their data fetched.
+static int keep_unknown(const brink_run *run, uint32_t *who, int count)
+{
     int kept = 0;
     for (int n = 0; n < count; n++) {
         const uint32_t k = who[n];
         BRINK_PREFETCH(&run->system.particle[k]);
         who[kept] = k;
-        kept +=
-            k != s->i && !brink_states_is_partner(&run->states, s->i, k, hint);
+        kept += !run->known[k];
     }
     return kept;
 }
@@ -225,16 +241,20 @@ static int keep_strangers(const search *s, uint32_t *who, int count)
 // Everybody in these cells but i and its partners.
 static void add_strangers(search *s, const uint32_t *cells, int count)
 {
-    const brink_run *run = s->run;
+    brink_run *run = s->run;
     uint32_t who[BRINK_HANDFUL];
     brink_tour tour = brink_tour_of(cells, count);
+    mark_known(run, s->i, 1);
     for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;) {
-        n = keep_strangers(s, who, n);
+        n = keep_unknown(run, who, n);
+        if (s->inward.count + n > BRINK_BATCH)
+            look_inward(s);
         if (run->images == 1)
-            add_nearest(s, who, n);
+            add_nearest(s, &s->inward, who, n);
         else
             add_images(s, who, n);
     }
+    mark_known(run, s->i, 0);
 }
 
 static void wait_for(brink_run *run, uint32_t i, double offset,

@@ -52,23 +52,6 @@ static inline const brink_link *brink_states_links(const brink_states *s,
     return &s->link[s->circle[i].first];
 }
 
-/** A bit for each partner of i, by its number modulo 64: who has none there is no
- * partner, and most who are asked about are none. */
-static inline uint64_t brink_states_hint(const brink_states *s, uint32_t i)
-{
-    const brink_link *link = brink_states_links(s, i);
-    uint64_t hint = 0;
-    for (uint32_t k = 0; k < s->circle[i].count; k++)
-        hint |= UINT64_C(1) << link[k].partner % 64;
-    return hint;
-}
-
-static inline int brink_states_is_partner(const brink_states *s, uint32_t i,
-                                          uint32_t j, uint64_t hint_of_i)
-{
-    return hint_of_i >> j % 64 & 1 && brink_states_level(s, i, j) > 0;
-}
-
 /** Sets a pair's level when a configuration is first made or loaded.  0, -1 no
  * memory. */
 int brink_states_set(brink_states *s, const brink_system *system, uint32_t i,
