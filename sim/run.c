@@ -201,10 +201,10 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     run->tier = tier;
     const uint32_t n = run->system.count;
     run->meeting = malloc(n * sizeof *run->meeting);
-    run->known = calloc(n, 1);
+    run->is_partner = calloc(n, 1);
     // A year is as long as a particle takes to cross a cell or two (see
     // brink_kinetic_year), so that a day has an event or a few.
-    if (!run->meeting || !run->known ||
+    if (!run->meeting || !run->is_partner ||
         brink_cells_create(&run->cells, &run->system) ||
         brink_states_create(&run->states, &run->system) ||
         brink_calendar_create(&run->calendar, n, run->system.year, 2 * n)) {
@@ -238,7 +238,7 @@ void brink_run_destroy(brink_run *run)
     brink_cells_destroy(&run->cells);
     brink_calendar_destroy(&run->calendar);
     free(run->meeting);
-    free(run->known);
+    free(run->is_partner);
     memset(run, 0, sizeof *run);
 }
 

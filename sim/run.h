@@ -63,7 +63,7 @@ typedef struct brink_run {
     double momentum_begin[3];
     double image[27][3]; // shifts to the images a particle is looked for in
     int images;
-    uint8_t *known; // per particle, scratch: 1 while it is no stranger
+    uint8_t *is_partner; // per particle, scratch: of the one being predicted
 } brink_run;
 
 enum brink_run_status {

@@ -217,23 +217,35 @@ static void add_images(search *s, const uint32_t *who, int count)
         }
 }
 
-static void mark_known(brink_run *run, uint32_t i, uint8_t mark)
+static void mark_partners(brink_run *run, uint32_t i, uint8_t mark)
 {
     const brink_link *link = brink_states_links(&run->states, i);
-    run->known[i] = mark;
     for (uint32_t n = 0; n < run->states.circle[i].count; n++)
-        run->known[link[n].partner] = mark;
+        run->is_partner[link[n].partner] = mark;
 }
 
-// Leaves of `who` those who are not known, and has their data fetched.
-static int keep_unknown(const brink_run *run, uint32_t *who, int count)
+// Leaves of `who` those who are not i's partners.
+static int keep_strangers(brink_run *run, uint32_t i, uint32_t *who, int count)
+{
+    int kept = 0;
+    mark_partners(run, i, 1);
+    for (int n = 0; n < count; n++) {
+        who[kept] = who[n];
+        kept += !run->is_partner[who[n]];
+    }
+    mark_partners(run, i, 0);
+    return kept;
+}
+
+// Leaves of `who` those who are not i, and has their data fetched.
+static int keep_others(const brink_run *run, uint32_t i, uint32_t *who, int count)
 {
     int kept = 0;
     for (int n = 0; n < count; n++) {
         const uint32_t k = who[n];
         BRINK_PREFETCH(&run->system.particle[k]);
         who[kept] = k;
-        kept += !run->known[k];
+        kept += k != i;
     }
     return kept;
 }
@@ -244,9 +256,10 @@ static void add_strangers(search *s, const uint32_t *cells, int count)
     brink_run *run = s->run;
     uint32_t who[BRINK_HANDFUL];
     brink_tour tour = brink_tour_of(cells, count);
-    mark_known(run, s->i, 1);
     for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;) {
-        n = keep_unknown(run, who, n);
+        n = keep_others(run, s->i, who, n);
+        if (run->states.circle[s->i].count > 0)
+            n = keep_strangers(run, s->i, who, n);
         if (s->inward.count + n > BRINK_BATCH)
             look_inward(s);
         if (run->images == 1)
@@ -254,7 +267,6 @@ static void add_strangers(search *s, const uint32_t *cells, int count)
         else
             add_images(s, who, n);
     }
-    mark_known(run, s->i, 0);
 }
 
 static void wait_for(brink_run *run, uint32_t i, double offset,
