@@ -43,7 +43,6 @@
 #define brink_step_impulse            BRINK_ON_PATH(brink_step_impulse)
 #define brink_rim_impulse             BRINK_ON_PATH(brink_rim_impulse)
 #define brink_predict                 BRINK_ON_PATH(brink_predict)
-#define brink_predict_ahead           BRINK_ON_PATH(brink_predict_ahead)
 #endif
 
 #ifdef BRINK_DISPATCH

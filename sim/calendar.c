@@ -129,7 +129,8 @@ static void take_out(brink_calendar *c, uint32_t slot)
         if (last != slot)
             heap_settle(c, place, last);
     } else {
-        const uint32_t before = c->filed[slot].previous, after = c->filed[slot].next;
+        const uint32_t before = c->filed[slot].previous,
+                       after = c->filed[slot].next;
         if (before != NONE)
             c->filed[before].next = after;
         else
@@ -165,7 +166,8 @@ static void refile(brink_calendar *c, uint32_t list)
 static int turn_year(brink_calendar *c)
 {
     int64_t epoch = INT64_MAX;
-    for (uint32_t slot = c->first[c->days]; slot != NONE; slot = c->filed[slot].next)
+    for (uint32_t slot = c->first[c->days]; slot != NONE;
+         slot = c->filed[slot].next)
         if (c->entry[slot].when.epoch < epoch)
             epoch = c->entry[slot].when.epoch;
     if (epoch == INT64_MAX)
@@ -203,7 +205,8 @@ const char *brink_calendar_is_valid(const brink_calendar *c)
     uint32_t filed = c->heap_count;
     for (uint32_t list = 0; list <= c->days; list++) {
         uint32_t before = NONE;
-        for (uint32_t s = c->first[list]; s != NONE; before = s, s = c->filed[s].next) {
+        for (uint32_t s = c->first[list]; s != NONE;
+             before = s, s = c->filed[s].next) {
             if (s >= c->slots || c->filed[s].place != IN_LIST + list ||
                 c->filed[s].previous != before)
                 return "a list and its slots disagree";

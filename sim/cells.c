@@ -14,7 +14,8 @@ static void choose(brink_cells *c, const brink_system *s)
 {
     const double share =
         pow(brink_system_volume(s) / (double)s->count, 1.0 / s->dimensions);
-    const double width = fmax(s->range * SLACK, share);
+    c->reach = s->range * SLACK;
+    const double width = fmax(c->reach, share);
     for (int a = 0; a < 3; a++) {
         const double fit = floor(s->length[a] / width);
         const int there = a < s->dimensions;
@@ -149,18 +150,6 @@ static void reach(const brink_cells *c, int low[3], int high[3])
     }
 }
 
-// Where the cells adjacent to one inside the box are from it.
-static void list_around(brink_cells *c)
-{
-    int low[3], high[3];
-    uint32_t around[27];
-    reach(c, low, high);
-    const uint32_t inside = join(c, high);
-    c->adjacent = block(c, inside, low, high, around);
-    for (int n = 0; n < c->adjacent; n++)
-        c->around[n] = around[n] - inside;
-}
-
 int brink_cells_create(brink_cells *c, const brink_system *system)
 {
     memset(c, 0, sizeof *c);
@@ -174,7 +163,6 @@ int brink_cells_create(brink_cells *c, const brink_system *system)
         brink_cells_destroy(c);
         return -1;
     }
-    list_around(c);
     c->free = c->total;
     for (uint32_t k = 0; k < further; k++)
         c->bucket[c->total + k].fill = c->total + k + 1;
@@ -256,27 +244,34 @@ int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
 
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
 {
-    int low[3], high[3], index[3];
-    reach(c, low, high);
-    split(c, cell, index);
-    int inside = 1;
-    for (int a = 0; a < 3; a++)
-        inside &= index[a] + low[a] >= 0 && index[a] + high[a] < c->count[a];
-    if (!inside)
-        return block(c, cell, low, high, around);
-    for (int n = 0; n < 27; n++)
-        around[n] = cell + c->around[n];
-    return c->adjacent;
-}
-
-int brink_cells_ahead(const brink_cells *c, uint32_t cell,
-                      brink_crossing crossing, uint32_t ahead[27])
-{
     int low[3], high[3];
     reach(c, low, high);
-    if (c->images[crossing.axis] == 1)
-        low[crossing.axis] = high[crossing.axis] = crossing.way;
-    return block(c, cell, low, high, ahead);
+    return block(c, cell, low, high, around);
+}
+
+int brink_cells_near(const brink_cells *c, const brink_system *system, uint32_t i,
+                     double offset, double then, uint32_t near[27])
+{
+    const brink_particle *p = &system->particle[i];
+    const double dt = offset - p->since, dt_then = then - p->since;
+    int low[3], high[3], index[3];
+    reach(c, low, high);
+    split(c, c->cell[i], index);
+    for (int a = 0; a < system->dimensions; a++) {
+        if (c->images[a] > 1)
+            continue;
+        // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
+        const uint64_t *wall = &c->wall[a][index[a]];
+        const double below =
+            (double)(int64_t)(p->x[a] - wall[0]) * system->unit[a];
+        const double above =
+            (double)(int64_t)(wall[1] - p->x[a]) * system->unit[a];
+        const double from = p->v[a] * dt, to = p->v[a] * dt_then;
+        // At rest `to` is not a number: then what is near is not ruled out.
+        low[a] = -!(below + from > c->reach && below + to > c->reach);
+        high[a] = !(above - from > c->reach && above - to > c->reach);
+    }
+    return block(c, c->cell[i], low, high, near);
 }
 
 int brink_tour_further(const brink_cells *c, brink_tour *tour,

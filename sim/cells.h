@@ -37,9 +37,7 @@ typedef struct brink_cells {
     brink_bucket *bucket; // one a cell, then those for the rest
     uint32_t free;        // the first of those unused, chained by `fill`
     uint32_t *cell;       // per particle: the logical state, x fastest
-    // The cells adjacent to one that is not at the box's end, and their number.
-    uint32_t around[27];
-    int adjacent;
+    double reach;         // the interaction's, and a little more
 } brink_cells;
 
 /** A crossing: the axis of the wall and the way, -1 or +1. */
@@ -68,11 +66,12 @@ int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing);
 /** The up to 27 cells adjacent to `cell`, itself included; the number of them. */
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27]);
 
-/** Those of them that a particle which has just come into `cell` by `crossing`
- * was not adjacent to before: a face of up to 9, or all where an axis has three
- * images. */
-int brink_cells_ahead(const brink_cells *c, uint32_t cell,
-                      brink_crossing crossing, uint32_t ahead[27]);
+/** Those of them in which particle i could meet somebody from `offset` until
+ * `then`, when it crosses a wall: those within the interaction's range of the box
+ * round its way, or all where an axis has three images.  Who has crossed looks
+ * anew, so nobody who is met while both are in their cells is overlooked. */
+int brink_cells_near(const brink_cells *c, const brink_system *system, uint32_t i,
+                     double offset, double then, uint32_t near[27]);
 
 /** Whoever is in some cells, a handful at a time. */
 typedef struct brink_tour {

@@ -17,7 +17,7 @@ static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry
     if (!brink_cells_cross(&run->cells, i, crossing))
         return BRINK_RUN_REFUSED;
     run->tally.cell++;
-    brink_predict_ahead(run, i, offset, crossing);
+    brink_predict(run, i, offset);
     return BRINK_RUN_REACHED;
 }
 
@@ -200,12 +200,10 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     memset(system, 0, sizeof *system);
     run->tier = tier;
     const uint32_t n = run->system.count;
-    run->meeting = malloc(n * sizeof *run->meeting);
     run->is_partner = calloc(n, 1);
     // A year is as long as a particle takes to cross a cell or two (see
     // brink_kinetic_year), so that a day has an event or a few.
-    if (!run->meeting || !run->is_partner ||
-        brink_cells_create(&run->cells, &run->system) ||
+    if (!run->is_partner || brink_cells_create(&run->cells, &run->system) ||
         brink_states_create(&run->states, &run->system) ||
         brink_calendar_create(&run->calendar, n, run->system.year, 2 * n)) {
         brink_run_destroy(run);
@@ -237,7 +235,6 @@ void brink_run_destroy(brink_run *run)
     brink_states_destroy(&run->states);
     brink_cells_destroy(&run->cells);
     brink_calendar_destroy(&run->calendar);
-    free(run->meeting);
     free(run->is_partner);
     memset(run, 0, sizeof *run);
 }

@@ -50,9 +50,7 @@ typedef struct brink_run {
     brink_system system;
     brink_states states;
     brink_cells cells;
-    brink_entry *meeting;    // per particle: its first event with another
-    brink_calendar calendar; // slot i: that, or particle i's next crossing if
-                             // this is earlier
+    brink_calendar calendar; // slot i: what particle i waits for
     enum brink_tier tier;
     brink_instant now;
     brink_tally tally;
@@ -80,7 +78,7 @@ enum brink_run_status {
  */
 int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier);
 /** The same without levels and predictions, for those who have them stored: the
- * caller fills states, cells, meetings, calendar, tally and clock in. */
+ * caller fills states, cells, calendar, tally and clock in. */
 int brink_run_assemble(brink_run *run, brink_system *system,
                        enum brink_tier tier);
 void brink_run_destroy(brink_run *run);

@@ -20,16 +20,6 @@ typedef struct search {
     brink_batch inward, outward; // by the way they would meet the step
 } search;
 
-static void begin(search *s, brink_run *run, uint32_t i, double offset)
-{
-    s->run = run;
-    s->i = i;
-    s->offset = offset;
-    s->soonest = (double)INFINITY;
-    s->best = (brink_entry){.when = BRINK_NEVER};
-    s->inward.count = s->outward.count = 0;
-}
-
 static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
 {
     const brink_run *run = s->run;
@@ -269,54 +259,35 @@ static void add_strangers(search *s, const uint32_t *cells, int count)
     }
 }
 
-static void wait_for(brink_run *run, uint32_t i, double offset,
-                     const brink_entry *meeting)
+// What there is to beat: particle i's next crossing.
+static double begin(search *s, brink_run *run, uint32_t i, double offset)
 {
-    const brink_system *system = &run->system;
-    const brink_instant new_year = {system->epoch, 0.0};
+    const brink_instant new_year = {run->system.epoch, 0.0};
     brink_crossing next = {0, 0};
-    const double then =
-        brink_cells_crossing(&run->cells, system, i, offset, &next);
-    const brink_entry crossing = {
-        .when = brink_instant_after(system->year, new_year, then),
+    s->run = run;
+    s->i = i;
+    s->offset = offset;
+    s->inward.count = s->outward.count = 0;
+    s->soonest =
+        brink_cells_crossing(&run->cells, &run->system, i, offset, &next);
+    s->best = (brink_entry){
+        .when = brink_instant_after(run->system.year, new_year, s->soonest),
         .i = i,
         .j = (uint32_t)(2 * next.axis + (next.way > 0)),
         .kind = BRINK_ENTRY_CELL,
     };
-    run->meeting[i] = *meeting;
-    brink_calendar_set(&run->calendar, i,
-                       brink_entry_compare(meeting, &crossing) < 0 ? meeting
-                                                                   : &crossing);
+    return s->soonest;
 }
 
 void brink_predict(brink_run *run, uint32_t i, double offset)
 {
     search s;
-    uint32_t around[27];
-    begin(&s, run, i, offset);
+    uint32_t near[27];
+    const double then = begin(&s, run, i, offset);
     add_partners(&s);
-    add_strangers(&s, around,
-                  brink_cells_around(&run->cells, run->cells.cell[i], around));
-    look_inward(&s);
-    look_outward(&s);
-    wait_for(run, i, offset, &s.best);
-}
-
-// Particle i has just come by `crossing`: only those ahead of it are new.  Its
-// event with somebody it knew already stands, stale or not: a stale one is never
-// too late.
-void brink_predict_ahead(brink_run *run, uint32_t i, double offset,
-                         brink_crossing crossing)
-{
-    const brink_instant new_year = {run->system.epoch, 0.0};
-    search s;
-    uint32_t ahead[27];
-    begin(&s, run, i, offset);
-    s.best = run->meeting[i];
-    s.soonest = brink_instant_since(run->system.year, s.best.when, new_year);
     add_strangers(
-        &s, ahead,
-        brink_cells_ahead(&run->cells, run->cells.cell[i], crossing, ahead));
+        &s, near,
+        brink_cells_near(&run->cells, &run->system, i, offset, then, near));
     look_inward(&s);
-    wait_for(run, i, offset, &s.best);
+    brink_calendar_set(&run->calendar, i, &s.best);
 }

@@ -5,8 +5,4 @@
 #ifdef BRINK_DISPATCH
 BRINK_CHOOSE_BATCH(brink_predict, (brink_run * run, uint32_t i, double offset),
                    (run, i, offset))
-BRINK_CHOOSE_BATCH(brink_predict_ahead,
-                   (brink_run * run, uint32_t i, double offset,
-                    brink_crossing crossing),
-                   (run, i, offset, crossing))
 #endif

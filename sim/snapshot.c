@@ -228,26 +228,23 @@ static void read_levels(brink_codec *c, brink_run *run)
 static void write_entries(brink_codec *c, const brink_run *run)
 {
     for (uint32_t i = 0; i < run->system.count; i++) {
-        brink_entry meeting = run->meeting[i], next = run->calendar.entry[i];
-        code_entry(c, &meeting);
-        code_entry(c, &next);
+        brink_entry entry = run->calendar.entry[i];
+        code_entry(c, &entry);
     }
 }
 
-static int is_in_time(const brink_run *run, const brink_entry *e)
-{
-    return e->when.epoch == INT64_MAX ||
-           (e->when.offset >= 0 && e->when.offset < run->system.year &&
-            brink_instant_compare(e->when, run->now) >= 0);
-}
-
-static int meeting_is_possible(const brink_run *run, uint32_t i,
-                               const brink_entry *e)
+static int entry_is_possible(const brink_run *run, uint32_t i,
+                             const brink_entry *e)
 {
     if (e->when.epoch == INT64_MAX)
         return 1;
-    if (!is_in_time(run, e) || e->kind > BRINK_ENTRY_OUTWARD || e->i >= e->j ||
-        e->j >= run->system.count || (e->i != i && e->j != i))
+    if (!(e->when.offset >= 0) || !(e->when.offset < run->system.year) ||
+        brink_instant_compare(e->when, run->now) < 0)
+        return 0;
+    if (e->kind == BRINK_ENTRY_CELL)
+        return e->i == i && e->j < 2 * (uint32_t)run->system.dimensions;
+    if (e->kind > BRINK_ENTRY_CELL || e->i >= e->j || e->j >= run->system.count ||
+        (e->i != i && e->j != i))
         return 0;
     const int level = brink_states_level(&run->states, e->i, e->j);
     const uint32_t partner = e->i == i ? e->j : e->i;
@@ -258,30 +255,16 @@ static int meeting_is_possible(const brink_run *run, uint32_t i,
                e->kind == BRINK_ENTRY_INWARD ? BRINK_INWARD : BRINK_OUTWARD));
 }
 
-// What a slot waits for is the particle's meeting or an earlier crossing.
-static int next_is_possible(const brink_run *run, uint32_t i,
-                            const brink_entry *meeting, const brink_entry *e)
-{
-    const int order = brink_entry_compare(e, meeting);
-    if (e->kind != BRINK_ENTRY_CELL || e->when.epoch == INT64_MAX)
-        return order == 0;
-    return order < 0 && is_in_time(run, e) && e->i == i &&
-           e->j < 2 * (uint32_t)run->system.dimensions;
-}
-
 static void read_entries(brink_codec *c, brink_run *run)
 {
     run->calendar.epoch = run->system.epoch;
     for (uint32_t i = 0; i < run->system.count && !c->fault; i++) {
-        brink_entry meeting = {0}, next = {0};
-        code_entry(c, &meeting);
-        code_entry(c, &next);
-        if (!c->fault && (!meeting_is_possible(run, i, &meeting) ||
-                          !next_is_possible(run, i, &meeting, &next)))
+        brink_entry entry = {0};
+        code_entry(c, &entry);
+        if (!c->fault && !entry_is_possible(run, i, &entry))
             c->fault = "a pending event is not possible";
-        run->meeting[i] = meeting;
-        if (!c->fault)
-            brink_calendar_set(&run->calendar, i, &next);
+        else
+            brink_calendar_set(&run->calendar, i, &entry);
     }
 }
 

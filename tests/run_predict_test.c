@@ -74,8 +74,8 @@ START_TEST(a_pair_s_event_is_kept_by_one_of_the_two_with_the_other_s_generation)
     advance(&run, 5000);
     for (uint32_t i = 0; i < run.system.count; i++) {
         brink_predict(&run, i, run.system.particle[i].since);
-        const brink_entry *e = &run.meeting[i];
-        if (e->when.epoch == INT64_MAX)
+        const brink_entry *e = &run.calendar.entry[i];
+        if (e->kind == BRINK_ENTRY_CELL)
             continue;
         ck_assert(e->i == i || e->j == i);
         const uint32_t partner = e->i == i ? e->j : e->i;

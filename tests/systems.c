@@ -100,7 +100,6 @@ int same_state(const brink_run *a, const brink_run *b)
            memcmp(a->system.particle, b->system.particle,
                   n * sizeof *a->system.particle) == 0 &&
            memcmp(a->cells.cell, b->cells.cell, n * sizeof *a->cells.cell) == 0 &&
-           memcmp(a->meeting, b->meeting, n * sizeof *a->meeting) == 0 &&
            memcmp(a->calendar.entry, b->calendar.entry,
                   n * sizeof *a->calendar.entry) == 0 &&
            memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&
