@@ -119,13 +119,12 @@ static uint32_t join(const brink_cells *c, const int index[3])
     return (uint32_t)(index[0] + c->count[0] * row);
 }
 
-// The cells of the block low..high around `cell`, wrapped round.
-static int block(const brink_cells *c, uint32_t cell, const int low[3],
+// The cells of the block low..high around the one at `index`, wrapped round.
+static int block(const brink_cells *c, const int index[3], const int low[3],
                  const int high[3], uint32_t out[27])
 {
-    int index[3], side[3][3], n = 0;
+    int side[3][3], n = 0;
     const int nx = c->count[0], ny = c->count[1];
-    split(c, cell, index);
     for (int a = 0; a < 3; a++)
         for (int d = low[a]; d <= high[a]; d++) {
             const int k = index[a] + d;
@@ -203,32 +202,59 @@ void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell)
     enter(c, i, cell);
 }
 
-double brink_cells_crossing(const brink_cells *c, const brink_system *system,
-                            uint32_t i, double offset, brink_crossing *crossing)
+// A cell's walls on one axis, and what a particle in it has to do with them.
+typedef struct gap {
+    double below, above; // how far the particle is from them
+    double v;
+} gap;
+
+// When a particle meets the wall ahead [S16 eq. 4], from its own time on.  Gap
+// and speed have one sign, or it is beyond the wall by a rounding.
+static double time_to_wall(gap g)
+{
+    if (g.v == 0)
+        return (double)INFINITY;
+    return (g.v > 0 ? g.above : -g.below) / g.v;
+}
+
+// Which walls come within reach some time from dt to dt_then; both do of a
+// particle that rests for good, whose 0 * inf is no number.
+static void look(gap g, double dt, double dt_then, double reach, int *low,
+                 int *high)
+{
+    const double from = g.v * dt, to = g.v * dt_then;
+    *low = -!((g.below + from > reach) & (g.below + to > reach));
+    *high = !((g.above - from > reach) & (g.above - to > reach));
+}
+
+void brink_cells_stay(const brink_cells *c, const brink_system *system,
+                      uint32_t i, double offset, brink_stay *stay)
 {
     const brink_particle *p = &system->particle[i];
+    int low[3], high[3], index[3], first = 0;
+    gap gaps[3];
     double soonest = (double)INFINITY;
-    int index[3];
+    reach(c, low, high);
     split(c, c->cell[i], index);
     for (int a = 0; a < system->dimensions; a++) {
-        const double v = p->v[a];
-        if (v == 0)
-            continue;
-        // The half-space [S16 eq. 4] of the wall ahead; gap and v have one sign,
-        // or else the particle is beyond the wall by a rounding.
-        const int up = v > 0;
         // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
-        const uint64_t wall = c->wall[a][index[a] + up];
-        const double gap = (double)(int64_t)(wall - p->x[a]) * system->unit[a];
-        const double t = gap / v;
+        const uint64_t *wall = &c->wall[a][index[a]];
+        const double unit = system->unit[a];
+        gaps[a] = (gap){(double)(int64_t)(p->x[a] - wall[0]) * unit,
+                        (double)(int64_t)(wall[1] - p->x[a]) * unit, p->v[a]};
+        const double t = time_to_wall(gaps[a]);
         // Chosen, not branched to: no processor could foresee which.
-        const int sooner = t < soonest;
-        soonest = sooner ? t : soonest;
-        crossing->axis = sooner ? a : crossing->axis;
-        crossing->way = sooner ? 2 * up - 1 : crossing->way;
+        first = t < soonest ? a : first;
+        soonest = t < soonest ? t : soonest;
     }
-    soonest += p->since;
-    return soonest > offset ? soonest : offset;
+    const double until = soonest + p->since;
+    stay->until = until > offset ? until : offset;
+    stay->crossing = (brink_crossing){first, gaps[first].v > 0 ? 1 : -1};
+    for (int a = 0; a < system->dimensions; a++)
+        if (c->images[a] == 1)
+            look(gaps[a], offset - p->since, stay->until - p->since, c->reach,
+                 &low[a], &high[a]);
+    stay->cells = block(c, index, low, high, stay->near);
 }
 
 int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
@@ -244,34 +270,10 @@ int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
 
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
 {
-    int low[3], high[3];
-    reach(c, low, high);
-    return block(c, cell, low, high, around);
-}
-
-int brink_cells_near(const brink_cells *c, const brink_system *system, uint32_t i,
-                     double offset, double then, uint32_t near[27])
-{
-    const brink_particle *p = &system->particle[i];
-    const double dt = offset - p->since, dt_then = then - p->since;
     int low[3], high[3], index[3];
     reach(c, low, high);
-    split(c, c->cell[i], index);
-    for (int a = 0; a < system->dimensions; a++) {
-        if (c->images[a] > 1)
-            continue;
-        // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
-        const uint64_t *wall = &c->wall[a][index[a]];
-        const double below =
-            (double)(int64_t)(p->x[a] - wall[0]) * system->unit[a];
-        const double above =
-            (double)(int64_t)(wall[1] - p->x[a]) * system->unit[a];
-        const double from = p->v[a] * dt, to = p->v[a] * dt_then;
-        // At rest `to` is not a number: then what is near is not ruled out.
-        low[a] = -!(below + from > c->reach && below + to > c->reach);
-        high[a] = !(above - from > c->reach && above - to > c->reach);
-    }
-    return block(c, c->cell[i], low, high, near);
+    split(c, cell, index);
+    return block(c, index, low, high, around);
 }
 
 int brink_tour_further(const brink_cells *c, brink_tour *tour,

@@ -54,24 +54,26 @@ const char *brink_cells_is_valid(const brink_cells *c);
 /** Sets a particle's cell from a stored state (a checkpoint). */
 void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell);
 
-/** When particle i meets the wall it is heading for, as an offset that may lie
- * beyond the year's end, and which; not before `offset`; +inf where it never
- * does.  The same whenever it is asked for, until the particle's state changes. */
-double brink_cells_crossing(const brink_cells *c, const brink_system *system,
-                            uint32_t i, double offset, brink_crossing *crossing);
+/** A particle's stay in its cell. */
+typedef struct brink_stay {
+    double until; // an offset that may lie beyond the year's end; +inf: for good
+    brink_crossing crossing; // what ends it
+    int cells;         // those in which it could meet somebody in the meantime:
+    uint32_t near[27]; // adjacent, and within the interaction's range of its way
+} brink_stay;
+
+/** The stay of particle i from `offset` on; it does not end before that.  When it
+ * ends depends on the particle's state alone, not on when it is asked for.  Who
+ * has crossed looks anew, so nobody who is met while both are in their cells is
+ * overlooked; where an axis has three images, all cells are near. */
+void brink_cells_stay(const brink_cells *c, const brink_system *system,
+                      uint32_t i, double offset, brink_stay *stay);
 
 /** Executes a crossing.  Returns 1, or 0 where the state machine refuses it. */
 int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing);
 
 /** The up to 27 cells adjacent to `cell`, itself included; the number of them. */
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27]);
-
-/** Those of them in which particle i could meet somebody from `offset` until
- * `then`, when it crosses a wall: those within the interaction's range of the box
- * round its way, or all where an axis has three images.  Who has crossed looks
- * anew, so nobody who is met while both are in their cells is overlooked. */
-int brink_cells_near(const brink_cells *c, const brink_system *system, uint32_t i,
-                     double offset, double then, uint32_t near[27]);
 
 /** Whoever is in some cells, a handful at a time. */
 typedef struct brink_tour {

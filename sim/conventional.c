@@ -129,18 +129,15 @@ static void predict(brink_conventional *c, uint32_t i)
     const double offset = house->now.offset;
     const brink_instant new_year = {system->epoch, 0.0};
     search s = {house, c->rule, i, {.when = BRINK_NEVER}, 0};
-    uint32_t near[27];
-    brink_crossing next = {0, 0};
-    const double then =
-        brink_cells_crossing(&house->cells, system, i, offset, &next);
+    brink_stay stay;
+    brink_cells_stay(&house->cells, system, i, offset, &stay);
     const brink_entry crossing = {
-        .when = brink_instant_after(system->year, new_year, then),
+        .when = brink_instant_after(system->year, new_year, stay.until),
         .i = i,
-        .j = (uint32_t)(2 * next.axis + (next.way > 0)),
+        .j = (uint32_t)(2 * stay.crossing.axis + (stay.crossing.way > 0)),
         .kind = BRINK_ENTRY_CELL};
     brink_calendar_set(&house->calendar, system->count + i, &crossing);
-    predict_in(&s, near,
-               brink_cells_near(&house->cells, system, i, offset, then, near));
+    predict_in(&s, stay.near, stay.cells);
     keep(c, &s);
 }
 

@@ -260,34 +260,32 @@ static void add_strangers(search *s, const uint32_t *cells, int count)
 }
 
 // What there is to beat: particle i's next crossing.
-static double begin(search *s, brink_run *run, uint32_t i, double offset)
+static void begin(search *s, brink_run *run, uint32_t i, double offset,
+                  const brink_stay *stay)
 {
     const brink_instant new_year = {run->system.epoch, 0.0};
-    brink_crossing next = {0, 0};
+    const brink_crossing next = stay->crossing;
     s->run = run;
     s->i = i;
     s->offset = offset;
     s->inward.count = s->outward.count = 0;
-    s->soonest =
-        brink_cells_crossing(&run->cells, &run->system, i, offset, &next);
+    s->soonest = stay->until;
     s->best = (brink_entry){
-        .when = brink_instant_after(run->system.year, new_year, s->soonest),
+        .when = brink_instant_after(run->system.year, new_year, stay->until),
         .i = i,
         .j = (uint32_t)(2 * next.axis + (next.way > 0)),
         .kind = BRINK_ENTRY_CELL,
     };
-    return s->soonest;
 }
 
 void brink_predict(brink_run *run, uint32_t i, double offset)
 {
     search s;
-    uint32_t near[27];
-    const double then = begin(&s, run, i, offset);
+    brink_stay stay;
+    brink_cells_stay(&run->cells, &run->system, i, offset, &stay);
+    begin(&s, run, i, offset, &stay);
     add_partners(&s);
-    add_strangers(
-        &s, near,
-        brink_cells_near(&run->cells, &run->system, i, offset, then, near));
+    add_strangers(&s, stay.near, stay.cells);
     look_inward(&s);
     brink_calendar_set(&run->calendar, i, &s.best);
 }

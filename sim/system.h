@@ -20,7 +20,7 @@
 #include <brink/step.h>
 #include <stddef.h>
 
-/** So many that each one's two slots in the calendar have numbers of 31 bits. */
+/** So many that two slots for each in a calendar have numbers of 31 bits. */
 #define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
 
 typedef struct brink_particle {

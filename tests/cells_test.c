@@ -94,6 +94,15 @@ START_TEST(whoever_is_in_range_is_adjacent)
 }
 END_TEST
 
+static double crossing_of(const brink_cells *c, const brink_system *s, uint32_t i,
+                          double offset, brink_crossing *crossing)
+{
+    brink_stay stay;
+    brink_cells_stay(c, s, i, offset, &stay);
+    *crossing = stay.crossing;
+    return stay.until;
+}
+
 static int is_among(uint32_t cell, const uint32_t *cells, int count)
 {
     for (int k = 0; k < count; k++)
@@ -103,7 +112,7 @@ static int is_among(uint32_t cell, const uint32_t *cells, int count)
 }
 
 // Everybody whom a particle meets before either crosses a wall is in a near cell;
-// and not every adjacent cell is near, or the look at its way would be for nothing.
+// and not every adjacent cell is near, or there would be no point in it.
 START_TEST(whoever_is_met_before_a_crossing_is_near)
 {
     gsl_rng *rng = seeded(3);
@@ -113,23 +122,22 @@ START_TEST(whoever_is_met_before_a_crossing_is_near)
     make(&s, 3, 12, 13, 4, 300, rng);
     ck_assert_int_eq(brink_cells_create(&c, &s), 0);
     for (uint32_t i = 0; i < s.count; i++) {
-        uint32_t near[27];
+        brink_stay stay;
         brink_crossing way;
-        const double then = brink_cells_crossing(&c, &s, i, 0.0, &way);
-        const int n = brink_cells_near(&c, &s, i, 0.0, then, near);
-        spared += 27 - n;
+        brink_cells_stay(&c, &s, i, 0.0, &stay);
+        const double then = stay.until;
+        spared += 27 - stay.cells;
         for (uint32_t j = 0; j < s.count; j++) {
             double r[3], v[3];
             brink_system_separation(&s, i, j, 0.0, r);
             for (int a = 0; a < 3; a++)
                 v[a] = s.particle[i].v[a] - s.particle[j].v[a];
             const double t = brink_intersection_time(r, v, 1.0);
-            if (i == j ||
-                !(t < fmin(then, brink_cells_crossing(&c, &s, j, 0.0, &way))))
+            if (i == j || !(t < fmin(then, crossing_of(&c, &s, j, 0.0, &way))))
                 continue;
             met++;
-            ck_assert_msg(is_among(c.cell[j], near, n), "%u meets %u at %a", i, j,
-                          t);
+            ck_assert_msg(is_among(c.cell[j], stay.near, stay.cells),
+                          "%u meets %u at %a", i, j, t);
         }
     }
     ck_assert_msg(met > 100 && spared > 1000, "met %d, spared %d", met, spared);
@@ -144,7 +152,7 @@ START_TEST(all_is_near_to_a_particle_at_rest_in_the_middle_of_small_cells)
     gsl_rng *rng = seeded(8);
     brink_system s;
     brink_cells c;
-    uint32_t near[27];
+    brink_stay stay;
     make(&s, 3, 8, 8, 8, 4000, rng); // cells of 8/7, less than twice the range
     ck_assert_int_eq(brink_cells_create(&c, &s), 0);
     for (int a = 0; a < 3; a++) {
@@ -153,8 +161,9 @@ START_TEST(all_is_near_to_a_particle_at_rest_in_the_middle_of_small_cells)
     }
     brink_cells_destroy(&c);
     ck_assert_int_eq(brink_cells_create(&c, &s), 0);
-    ck_assert_int_eq(brink_cells_near(&c, &s, 3, 0.0, (double)INFINITY, near),
-                     27);
+    brink_cells_stay(&c, &s, 3, 0.0, &stay);
+    ck_assert(isinf(stay.until));
+    ck_assert_int_eq(stay.cells, 27);
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -174,8 +183,7 @@ START_TEST(crossings_keep_the_cell_in_step_with_the_position)
         for (int n = 0; n < 200; n++) {
             brink_particle *p = &s.particle[i];
             brink_crossing crossing = {0, 0};
-            const double then =
-                brink_cells_crossing(&c, &s, i, p->since, &crossing);
+            const double then = crossing_of(&c, &s, i, p->since, &crossing);
             ck_assert(then >= p->since && isfinite(then));
             brink_system_advance(&s, i, then);
             p->since = 0; // every flight starts a year of its own
@@ -214,7 +222,7 @@ START_TEST(a_particle_at_rest_never_crosses)
     for (int a = 0; a < 3; a++)
         s.particle[3].v[a] = 0;
     ck_assert_int_eq(brink_cells_create(&c, &s), 0);
-    ck_assert(isinf(brink_cells_crossing(&c, &s, 3, 0.0, &crossing)));
+    ck_assert(isinf(crossing_of(&c, &s, 3, 0.0, &crossing)));
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -232,7 +240,7 @@ START_TEST(a_particle_beyond_its_wall_by_a_rounding_crosses_at_once)
     brink_particle *p = &s.particle[3];
     p->v[0] = 0.5, p->v[1] = p->v[2] = 0;
     p->x[0] = c.wall[0][c.cell[3] % (uint32_t)c.count[0] + 1] + 5;
-    const double then = brink_cells_crossing(&c, &s, 3, 0.25, &crossing);
+    const double then = crossing_of(&c, &s, 3, 0.25, &crossing);
     ck_assert_msg(then == 0.25 && crossing.axis == 0 && crossing.way == 1,
                   "at %a", then);
     brink_cells_destroy(&c);
