@@ -15,11 +15,11 @@
  * Three tiers:
  *
  *     plain  event or none, now or later: exact, as the real numbers have it for
- *     the
- *            doubles given.  The time within BRINK_EVENT_TIME_ULP
+ *            the doubles given.  The time within BRINK_EVENT_TIME_ULP
  *     _fast  at the time answered the pair is within BRINK_EVENT_TIME_GAP eps
- *            (sigma + |v| t) of the surface; a pair that passes within some eps
- *            of the rim may be answered either way
+ *            (sigma + |v| t) of the surface.  What is decided within that of it
+ *            may be answered either way: whether a pair passes inside or outside
+ *            the rim, is in or out, before its closest approach or behind
  *     _cr    as plain, the time correctly rounded, ties to even
  *
  * A time too large or too small for a double is +inf or 0, as any result rounds.
@@ -43,10 +43,10 @@ extern "C" {
  * Returns    the time; 0 where the pair is inside or touching, and approaches;
  *            +inf where it never does; NaN outside the domain.  Never negative
  * Special    touching and parting: none; grazing with zero discriminant: none
- * Method     filters for those that recede or pass by, d = sigma^2 |v|^2 - |r x
- *            v|^2; t = c / (sqrt(d) - b), c, b and d from sums that carry their
- *            rounding errors.  What then is not certain: double-double, and exact
- *            numbers
+ * Method     filters for those that recede or pass by, with
+ *            d = sigma^2 |v|^2 - |r x v|^2; t = c / (sqrt(d) - b), c, b and d
+ *            from sums that carry their rounding errors.  What then is not
+ *            certain: double-double, and exact numbers
  * Source     [S16] algorithm 1; [B14] for what an event is
  * Checked    tests/event_time_test.c
  */
@@ -66,7 +66,9 @@ double brink_intersection_time_cr(const double r[3], const double v[3],
  * Returns    the time; +inf only for v = 0; NaN outside the domain.  Never
  *            negative
  * Method     t = -c / (sqrt(d) + b) for b > 0, otherwise (sqrt(d) - b) / a, so
- *            that nothing cancels: [S16] prints the two the other way round
+ *            that nothing cancels: [S16] prints the two the other way round.  Far
+ *            pairs that part or pass by are told first; what then is not certain:
+ *            double-double, and exact numbers
  * Source     [S16] algorithm 2, with its branches put right
  * Checked    tests/event_time_test.c
  */

@@ -9,7 +9,8 @@
 #include "path.h"
 
 #include "event_time.h"
-#include "event_time_sums.h"
+#include "event_time_fast.h"
+#include "event_time_meeting.h"
 
 enum { BLOCK = 128, GROUP = 8 };
 
@@ -49,9 +50,10 @@ static int find_open(int n, double *t, int *open)
     return count;
 }
 
-/** Looks once more at those still open, gathered so that they lie together. */
-static void look_again(int count, const int *open, const many *p, double *t,
-                       glance *second)
+/** Looks once more at those still open, gathered so that they lie together; the
+ *  number of those that then still are. */
+static int look_again(int count, int *open, const many *p, double *t,
+                      glance *look)
 {
     double of[7][BLOCK], again[BLOCK];
     for (int k = 0; k < count; k++) {
@@ -64,22 +66,47 @@ static void look_again(int count, const int *open, const many *p, double *t,
         of[5][k] = p->vz[i];
         of[6][k] = p->sigma[i];
     }
-    second(count, &(many){of[0], of[1], of[2], of[3], of[4], of[5], of[6]},
-           again);
-    for (int k = 0; k < count; k++)
-        t[open[k]] = again[k];
+    look(count, &(many){of[0], of[1], of[2], of[3], of[4], of[5], of[6]}, again);
+    int left = 0;
+    for (int k = 0; k < count; k++) {
+        int i = open[k];
+        t[i] = again[k];
+        open[left] = i;
+        left += again[k] < 0;
+    }
+    return left;
 }
 
 // --- What is seen at a glance --------------------------------------------------
 
-static void never_meet(int n, const many *p, double *t)
+static void miss(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        rate b = rate_of(r, v);
-        int never =
-            is_positive(b) | (is_negative(b) & passes_by(chord_of(r, v, sigma)));
-        t[i] = never & sigma_in_range(sigma) ? (double)INFINITY : -1;
+        int certain = is_remote(r, sigma) & is_certain_to_miss(r, v, sigma);
+        t[i] = certain ? (double)INFINITY : -1;
+    }
+}
+
+/** The time that a verdict means, or -1. */
+BRINK_INLINE double time_if_certain(const meeting *m)
+{
+    double t = m->later ? time_of_meeting(m) : -1;
+    t = m->now ? 0 : t;
+    return m->never ? (double)INFINITY : t;
+}
+
+static void meet_nearby(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double a = dot_rounded(v, v);
+        near_sums m = near_sums_of((two_dots){dot_of(r, v), dot_of(r, r)}, sigma);
+        meeting told = meeting_near(&m, a);
+        double time = time_if_certain(&told);
+        int is_remote_or_odd =
+            is_remote(r, sigma) | !(are_in_range(a, m.size) & (sigma > 0));
+        t[i] = is_remote_or_odd ? -1 : time;
     }
 }
 
@@ -88,11 +115,9 @@ static void meet(int n, const many *p, double *t)
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
         sums m = sums_of(r, v, sigma);
-        int approaching = is_negative(rate_of(r, v)) & sigma_in_range(sigma);
-        int touching = approaching & is_touching(r, sigma);
-        double any = meeting_time(&m, dot_of(v, v), approaching);
-        double near = meeting_time_touching(&m, dot_rounded(v, v), touching);
-        t[i] = near >= 0 ? near : any;
+        meeting told = meeting_of(&m);
+        double time = time_if_certain(&told);
+        t[i] = sigma_in_range(sigma) ? time : -1;
     }
 }
 
@@ -100,70 +125,105 @@ static void meet_fast(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        double b = dot_rounded(r, v), rr = dot_rounded(r, r), ss = sigma * sigma;
-        double c = rr - ss;
-        chord k = chord_of(r, v, sigma);
-        int certain = are_in_range(k.a, rr, ss) & (sigma > 0);
-        int never = (b >= 0) | ((c > 0) & (k.d <= 0));
-        double sum = sqrt(k.d > 0 ? k.d : 0) - b;
-        int late = is_too_late(b, c, k, sum);
-        double time = (late ? -b : c) / (late ? k.a : sum);
-        time = c > 0 ? time : 0;
+        outline o = outline_of(r, v, sigma);
+        double sum = o.b + sqrt(fabs(o.minus_d));
+        double time = fabs(sum < 0 ? sum : 0) / o.a;
+        int never = (bits_of(o.b) & bits_of(o.minus_d)) >> 63 == 0;
         time = never ? (double)INFINITY : time;
-        t[i] = certain ? time : -1;
+        t[i] = is_in_range_fast(&o, sigma) ? time : -1;
     }
 }
 
+static void pass(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double rr = dot_rounded(r, r), ss = sigma * sigma;
+        double a = dot_rounded(v, v), b = dot_closely(r, v), c = rr - ss;
+        int certain = is_far(rr, ss) & passes(a, b, c) &
+                      is_passing_known(a, b, c) & (sigma > 0x1p-450);
+        t[i] = certain ? passing_time(a, b) : -1;
+    }
+}
+
+/** What is chosen is chosen one by one: so GCC makes vectors of it. */
 static void part(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        rate b = rate_of(r, v);
+        double a = dot_rounded(v, v), ss = sigma * sigma;
         sums m = sums_of(r, v, sigma);
-        int passing = is_far_outside(r, sigma) & is_negative(b) &
-                      passes_by(chord_of(r, v, sigma));
-        double time = parting_time(&m, dot_rounded(v, v), b, passing);
-        t[i] = sigma_in_range(sigma) ? time : -1;
+        near_sums k = near_sums_of((two_dots){m.b, dot_of(r, r)}, sigma);
+        discriminant far = discriminant_of(&m);
+        discriminant near = discriminant_near(&k, a);
+        int far_certain = far.certain & sigma_in_range(sigma);
+        int near_certain = near.certain & are_in_range(a, ss) & (sigma > 0);
+        int is_it_far = is_far(dot_rounded(r, r), ss);
+        int certain = is_it_far ? far_certain : near_certain;
+        double d = is_it_far ? far.d : near.d;
+        double time = later_root(a, k.b, k.c, sqrt(fabs(d)));
+        t[i] = certain ? time : -1;
     }
 }
 
+static void pass_fast(int n, const many *p, double *t)
+{
+    for (int i = 0; i < n; i++) {
+        GET_PAIR(p, i);
+        double a = dot_rounded(v, v), b = dot_rounded(r, v);
+        double rr = dot_rounded(r, r), ss = sigma * sigma;
+        int certain = are_in_range(a, rr + ss) & (sigma >= 0) & is_far(rr, ss) &
+                      passes(a, b, rr - ss);
+        t[i] = certain ? passing_time(a, b) : -1;
+    }
+}
+
+/** Passes over those that pass_fast knows, although it would tell the same time:
+ *  so as to come second where they are many. */
 static void part_fast(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
         double a = dot_rounded(v, v), b = dot_rounded(r, v);
-        double c = dot_rounded(r, r) - sigma * sigma;
-        double time = parting_time_fast(a, b, c, chord_of(r, v, sigma));
-        int now = is_in_range(b) & (c >= 0) & (c < 0x1p1000);
-        time = now ? 0 : time;
-        t[i] = sigma_in_range(sigma) ? time : -1;
+        double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss;
+        int far = is_far(rr, ss);
+        int certain =
+            are_in_range(a, rr + ss) & (sigma >= 0) & !(far & passes(a, b, c));
+        double minus_d = outline_of(r, v, sigma).minus_d;
+        double d = far ? -minus_d : fma(b, b, -a * c);
+        double time = later_root(a, b, c, root_of_chord(d));
+        t[i] = certain ? time : -1;
     }
 }
 
 // --- The batches ---------------------------------------------------------------
 
 /** One block after the other; the answers are written when a block has been
- *  read. */
-static void in_blocks(size_t n, const many *all, double *t, glance *first,
-                      glance *second, scalar *kernel)
+ *  read.  Of the first two glances that comes first which had more to say of the
+ *  block before. */
+static void in_blocks(size_t n, const many *all, double *t,
+                      glance *const glances[], scalar *kernel)
 {
+    int first = 0;
     for (size_t at = 0; at < n; at += BLOCK) {
         int size = n - at < BLOCK ? (int)(n - at) : BLOCK, open[BLOCK + 1];
         const many block = {all->rx + at,   all->ry + at, all->rz + at,
                             all->vx + at,   all->vy + at, all->vz + at,
                             all->sigma + at};
         const many *p = &block;
-        double answer[BLOCK];
-        first(size, p, answer);
-        int count = find_open(size, answer, open);
-        if (second && count > 0)
-            look_again(count, open, p, answer, second);
-        for (int k = 0; k < count; k++)
-            if (answer[open[k]] < 0) {
-                GET_PAIR(p, open[k]);
-                answer[open[k]] = kernel(r, v, sigma);
-            }
-        memcpy(t + at, answer, (size_t)size * sizeof *answer);
+        double found[BLOCK];
+        glances[first](size, p, found);
+        int count = find_open(size, found, open);
+        int is_other_better = glances[1] && 2 * count > size;
+        for (int g = 0; glances[g] && count > 0; g++)
+            if (g != first)
+                count = look_again(count, open, p, found, glances[g]);
+        for (int k = 0; k < count; k++) {
+            GET_PAIR(p, open[k]);
+            found[open[k]] = kernel(r, v, sigma);
+        }
+        memcpy(t + at, found, (size_t)size * sizeof *found);
+        first = is_other_better ? 1 - first : first;
     }
 }
 
@@ -173,7 +233,8 @@ void brink_intersection_times(size_t n, const double *rx, const double *ry,
                               const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, never_meet, meet, brink_intersection_time);
+    glance *const glances[] = {miss, meet_nearby, meet, NULL};
+    in_blocks(n, &all, t, glances, brink_intersection_time);
 }
 
 void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
@@ -182,7 +243,8 @@ void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
                                    const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, meet_fast, NULL, brink_intersection_time_fast);
+    glance *const glances[] = {meet_fast, NULL};
+    in_blocks(n, &all, t, glances, brink_intersection_time_fast);
 }
 
 void brink_disjoint_times(size_t n, const double *rx, const double *ry,
@@ -190,7 +252,8 @@ void brink_disjoint_times(size_t n, const double *rx, const double *ry,
                           const double *vz, const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, part, NULL, brink_disjoint_time);
+    glance *const glances[] = {pass, part, NULL};
+    in_blocks(n, &all, t, glances, brink_disjoint_time);
 }
 
 void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
@@ -199,5 +262,6 @@ void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
                                const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, part_fast, NULL, brink_disjoint_time_fast);
+    glance *const glances[] = {pass_fast, part_fast, NULL};
+    in_blocks(n, &all, t, glances, brink_disjoint_time_fast);
 }

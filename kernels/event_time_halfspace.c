@@ -27,10 +27,8 @@ static int is_finite(const double x[3])
     return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]);
 }
 
-static __attribute__((noinline)) double any_time(const double r[3],
-                                                 const double v[3],
-                                                 const double n[3],
-                                                 const double c[3])
+static BRINK_APART double any_time(const double r[3], const double v[3],
+                                   const double n[3], const double c[3])
 {
     if (!is_finite(r) || !is_finite(v) || !is_finite(n) || !is_finite(c))
         return (double)NAN;
@@ -57,7 +55,7 @@ static approach approach_of(const double r[3], const double v[3],
     return s;
 }
 
-static int sign_of(double x, double size)
+static int certain_sign(double x, double size)
 {
     double error = fma(0x1p-100, size, 0x1p-900);
     return x > error ? 1 : x < -error ? -1 : 0;
@@ -74,10 +72,10 @@ double brink_halfspace_time(const double r[3], const double v[3],
 {
     approach s = approach_of(r, v, n, c);
     if (s.f_size < 0x1p900 && s.rate_size < 0x1p900) {
-        int coming = sign_of(s.rate.hi, s.rate_size);
+        int coming = certain_sign(s.rate.hi, s.rate_size);
         if (coming < 0)
             return (double)INFINITY;
-        if (coming > 0 && sign_of(s.f.hi, s.f_size) < 0)
+        if (coming > 0 && certain_sign(s.f.hi, s.f_size) < 0)
             return 0;
         if (is_known(s.f.hi, s.f_size) && is_known(s.rate.hi, s.rate_size)) {
             dd t = dd_div(s.f, s.rate); // 2^-74 and 16u^2

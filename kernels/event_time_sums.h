@@ -35,80 +35,53 @@ BRINK_INLINE int sigma_in_range(double sigma)
     return (sigma > 0x1p-450) & (sigma < 0x1p450);
 }
 
-BRINK_INLINE int is_in_range(double x)
-{
-    return (x > 0x1p-900) & (x < 0x1p1000);
-}
-
 // --- Filters -------------------------------------------------------------------
-
-/** b, whose sign is certain where it is farther than `error` from 0. */
-typedef struct rate {
-    double value, error;
-} rate;
-
-BRINK_INLINE rate rate_of(const double r[3], const double v[3])
-{
-    double x = r[0] * v[0], y = r[1] * v[1], z = r[2] * v[2];
-    double p = fabs(x) + fabs(y) + fabs(z);
-    // The products are off by u of themselves, or 2^-1075, and the sums by 2u P.
-    return (rate){x + y + z, fma(0x1p-51, p, 0x1p-1000)};
-}
-
-BRINK_INLINE int is_positive(rate b)
-{
-    return b.value > b.error;
-}
-
-BRINK_INLINE int is_negative(rate b)
-{
-    return b.value < -b.error;
-}
 
 BRINK_INLINE double dot_rounded(const double x[3], const double y[3])
 {
     return fma(x[0], y[0], fma(x[1], y[1], x[2] * y[2])); // 3u sum |x_i y_i|
 }
 
-/** d, and the s = sigma^2 a + |r x v|^2 that it is a difference of. */
-typedef struct chord {
-    double a, d, s;
-} chord;
-
-/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900:
- *  sigma^2 a is off by 1u + 3u; a component of the cross product, by Kahan's
- *  way, by 2u, its square by 4u, their sum by 3u more; and d, less than s / 2
- *  where it matters, by 1u. */
-BRINK_INLINE chord chord_of(const double r[3], const double v[3], double sigma)
+/** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, with
+ *  all that is made of them well within range: by their exponents. */
+BRINK_INLINE int are_in_range(double a, double size)
 {
-    double xy = r[1] * v[0], yz = r[1] * v[2], zx = r[0] * v[2];
-    double z = fma(r[0], v[1], -xy) - fma(r[1], v[0], -xy);
-    double x = fma(r[1], v[2], -yz) - fma(r[2], v[1], -yz);
-    double y = fma(r[2], v[0], -zx) - fma(r[0], v[2], -zx);
-    double a = dot_rounded(v, v), ss = sigma * sigma;
-    double w = fma(x, x, fma(y, y, z * z));
-    return (chord){a, fma(ss, a, -w), fma(ss, a, w)};
+    const uint64_t least = 1023 - 256, exponents = 512;
+    uint64_t x = (bits_of(a) >> 52) - least, y = (bits_of(size) >> 52) - least;
+    return (x | y) < exponents;
 }
 
-/** Whether c > 0, certainly: r.r is off by 3u, sigma^2 by 1u. */
-BRINK_INLINE int is_far_outside(const double r[3], double sigma)
+/** Whether c > 2^-10 sigma^2, so that rr < 1025 c.  rr is off by 3u, ss by 1u: c
+ *  is off by less than 4200u of itself. */
+BRINK_INLINE int is_far(double rr, double ss)
 {
-    double rr = dot_rounded(r, r), ss = sigma * sigma;
-    return rr - ss > 0x1p-51 * (rr + ss);
+    return rr > (1 + 0x1p-10) * ss;
 }
 
-/** Certain to pass the sphere by: d < 0. */
-BRINK_INLINE int passes_by(chord k)
+/** 2 max(0, -b), exactly. */
+BRINK_INLINE double twice_ahead(double b)
 {
-    return (k.a > 0x1p-900) & (k.d < -fma(0x1p-50, k.s, 0x1p-900));
+    return fabs(b) - b;
 }
 
-// --- Plain: sums that carry their errors ---------------------------------------
+/**
+ * Whether a far pair parts already or is certain to pass by, a c > b^2.  Their
+ * ratio is off by less than 5000u < 2^-40: 4200u are c's, 3u a's, a few those of
+ * the roundings, and no more than 200u b's.  That is for b off by 3u P:
+ * P^2 <= a rr < 33^2 a c, so 6u |b| P < 200u a c where b^2 < a c.
+ */
+BRINK_INLINE int passes(double a, double b, double c)
+{
+    double twice = twice_ahead(b);
+    return (4 - 0x1p-36) * (a * c) > twice * twice;
+}
 
-/** b and c as unevaluated sums of two doubles, what c may be off by where it
+// --- Sums that carry their errors ----------------------------------------------
+
+/** a, b and c as unevaluated sums of two doubles, what c may be off by where it
  *  is less than R / 3, and R. */
 typedef struct sums {
-    dd b, c;
+    dd a, b, c;
     double c_error, size;
 } sums;
 
@@ -128,6 +101,11 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
 
+/** r.v and r.r. */
+typedef struct two_dots {
+    dd rv, rr;
+} two_dots;
+
 /** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R,
  *  where R is more than 2^-900, so that what underflows does not count.  Where
  *  |c| < R / 3 the last difference is exact, and the error of c <= 6u^2 R: u^2
@@ -140,7 +118,28 @@ BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
     dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
     double rest = ((x.lo + y.lo) + (z.lo + q.lo)) + ((s.lo + t.lo) + w.lo);
     double size = t.hi - q.hi;
-    return (sums){dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
+    return (sums){
+        dot_of(v, v), dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
+}
+
+/** b and c, off by 1u and what they were before they were rounded: 7u^2 P, and
+ *  c_error unless c is as large as R / 3, where it is off by 2u in all. */
+typedef struct near_sums {
+    double b, c, c_error, size;
+} near_sums;
+
+/**
+ * The error of c <= 7u^2 R where |c| < R / 3, so that r.r < 2/3 R and the
+ * difference of the leading parts is exact: what is left over of r.r is off by
+ * 7u^2 r.r and less than 3u r.r, so with that of sigma^2 it is off by 7u^2 r.r +
+ * u^2 (3 r.r + sigma^2) = u^2 (9 r.r + R).
+ */
+BRINK_INLINE near_sums near_sums_of(two_dots x, double sigma)
+{
+    dd ss = two_prod(sigma, sigma);
+    double size = x.rr.hi + ss.hi;
+    return (near_sums){sum_of(x.rv), (x.rr.hi - ss.hi) + (x.rr.lo - ss.lo),
+                       0x1.cp-104 * size, size};
 }
 
 /** c anew, off by 2u^2 of itself and 2^-150 R: the parts left over, which are
@@ -162,17 +161,6 @@ BRINK_INLINE void look_closer(sums *m, const double r[3], double sigma)
     m->c_error = 0x1p-150 * m->size;
 }
 
-/** Whether c is farther above or below 0 than its error. */
-BRINK_INLINE int is_outside(const sums *m)
-{
-    return sum_of(m->c) > 2 * m->c_error;
-}
-
-BRINK_INLINE int is_inside(const sums *m)
-{
-    return sum_of(m->c) < -2 * m->c_error;
-}
-
 /** Whether x is off by less than 2.85u of itself, if by `error`. */
 BRINK_INLINE int is_known(double x, double error)
 {
@@ -188,142 +176,14 @@ typedef struct discriminant {
     int certain;
 } discriminant;
 
-BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
+BRINK_INLINE discriminant discriminant_of(const sums *m)
 {
+    dd a = m->a;
     dd p = two_prod(m->b.hi, m->b.hi), q = two_prod(a.hi, m->c.hi);
     double rest = fma(a.hi, m->c.lo, a.lo * m->c.hi);
     rest = fma(2 * m->b.hi, m->b.lo, (p.lo - q.lo) - rest);
     double d = (p.hi - q.hi) + rest; // two roundings
     double least = fma(0x1p-44 * a.hi, m->size, 0x1p-900);
     return (discriminant){d, (a.hi > 0x1p-900) & (d > least)};
-}
-
-/** The intersection time within 8 ulp, of a pair that approaches; -1 where it
- *  is not certain.  c is off by 1u + 2.85u; sqrt(d), at most half of the sum,
- *  by 1.2u + 1u, and b by 1u; sum and quotient are rounded: 3.85u + (2.2u +
- *  1u) / 2 + 2u < 8u, and 8u are at most 8 ulp. */
-BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
-{
-    discriminant d = discriminant_of(a, m);
-    double c = sum_of(m->c), root = sqrt(d.certain ? d.d : 0);
-    double t = c / (root - sum_of(m->b));
-    int later = approaching & d.certain & is_known(c, m->c_error);
-    double otherwise = approaching & is_inside(m) ? 0 : -1;
-    return later ? t : otherwise;
-}
-
-/** Inside, or so near the surface that most of those which approach will meet. */
-BRINK_INLINE int is_touching(const double r[3], double sigma)
-{
-    return dot_rounded(r, r) < 1.02 * (sigma * sigma);
-}
-
-/**
- * The same of a pair that is touching and does not graze: d = b^2 - a c loses
- * little then. a may be off by 3u, c by 1u + k, b by 1u; b^2, d, its root, the
- * sum and the quotient are rounded.  With w = sqrt(d) / (sqrt(d) - b), which is
- * at most 1/2, the time is off by
- *
- *     [1 + k + 3 (1 - 2w) + (1 - w)^2 + 2 (1 - w)] / 2w  +  w / 2 + w + 2
- *
- * in u, for c, a, b^2, b, d, its root, and the last two roundings:
- *
- *     d > b^2 / 3, w > 0.366, k < 0.36:    at most 7.8
- *     d > 0.95 b^2, w > 0.493, k < 2.85:   at most 7.97
- */
-BRINK_INLINE double meeting_time_touching(const sums *m, double a,
-                                          int approaching)
-{
-    double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb);
-    int slanting = (3 * d > bb) & is_known(c, 8 * m->c_error);
-    int head_on = (d > 0.95 * bb) & is_known(c, m->c_error);
-    int in_range = (a > 0x1p-900) & is_in_range(d);
-    int later = approaching & in_range & (slanting | head_on);
-    double t = c / (sqrt(d > 0 ? d : 0) - b);
-    double otherwise = approaching & is_inside(m) ? 0 : -1;
-    return later ? t : otherwise;
-}
-
-/** (root - b) / a, root^2 = b^2 - a c, without its cancellation. */
-BRINK_INLINE double later_root(double a, double b, double c, double root)
-{
-    double x = b > 0 ? -c : root - b, y = b > 0 ? root + b : a;
-    return x / y;
-}
-
-/**
- * The disjoint time within 8 ulp, of a pair that is inside, or near the surface,
- * or that is `passing`; -1 where it is not certain.  `rough` is its rate.
- *
- * d = b^2 - a c loses nothing there.  With errors as above, those of c counted
- * where it is divided by, and w = sqrt(d) / (sqrt(d) + |b|), the time is off by,
- * in u,
- *
- *     b > 0, inside:  [1 + k + 3 (2w - 1) + (1 - w)^2 + 2 (1 - w)] / 2w
- *                     + w / 2 + w + 2:  at most 7.9, at w = 1/2
- *     b < 0, inside:  with (1 + k) (2w - 1) + 3 for the first two:  at most 7
- *     b < 0 and d > 3/4 b^2, more than 2^55 times what c puts into it:
- *                     3.3 + 0.4 + 1.3 + 0.3 + 0.5 + 2 = 7.8
- *
- * A pair that passes by is disjoint from its closest approach on, at -b / a.
- * There |b| > 4u P, so it is off by 1u + 2u, and the time by 7u.
- */
-BRINK_INLINE double parting_time(const sums *m, double a, rate rough, int passing)
-{
-    double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb);
-    int inside = is_known(-c, m->c_error);
-    int near =
-        is_negative(rough) & (d > 0.75 * bb) & (d > 0x1p55 * a * m->c_error);
-    int certain = passing | (is_in_range(d) & (inside | near));
-    int now = is_positive(rough) & is_outside(m);
-    int none = passing | (d < 0), later = certain & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(none ? 0 : d));
-    t = later ? t : -1;
-    return now ? 0 : t;
-}
-
-/** The same of a pair that is inside, which needs no rate; -1 if it is not. */
-BRINK_INLINE double leaving_time(const sums *m, double a)
-{
-    double b = sum_of(m->b), c = sum_of(m->c), d = fma(-a, c, b * b);
-    int certain = is_known(-c, m->c_error) & is_in_range(d) & (a > 0x1p-900);
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    return certain ? t : -1;
-}
-
-// --- Fast ----------------------------------------------------------------------
-
-/** Whether the squares, and with them all that is made of them, are of
- *  moderate size: 2^-256 to 2^256, by their exponents. */
-BRINK_INLINE int are_in_range(double a, double rr, double ss)
-{
-    uint64_t offset = 1023 - 256, all = (bits_of(a) >> 52) - offset;
-    all |= ((bits_of(rr + ss) >> 52) - offset) | ((bits_of(ss) >> 52) - offset);
-    return all < 512;
-}
-
-/** On the rim c and d are nothing but their errors, which need not agree.  The
- *  pair is at the sphere no later than at its closest approach, -b / a. */
-BRINK_INLINE int is_too_late(double b, double c, chord k, double sum)
-{
-    return k.a * c > -b * sum;
-}
-
-/** The disjoint time of a pair inside (c < 0), or outside with b < 0 and the
- *  chord `outside`; -1 where something is out of range.  Inside, d has no
- *  cancellation. */
-BRINK_INLINE double parting_time_fast(double a, double b, double c, chord outside)
-{
-    double d_inside = fma(b, b, -a * c);
-    double d_outside = outside.d > 0 ? outside.d : 0;
-    double d = c < 0 ? d_inside : d_outside;
-    double t = later_root(a, b, c, sqrt(d > 0 ? d : 0));
-    int leaves = (c < 0) & is_in_range(d);
-    int passes =
-        (c >= 0) & (c < 0x1p1000) & is_in_range(-b) & is_in_range(outside.s);
-    int certain = (leaves | passes) & (a > 0x1p-900);
-    return certain ? t : -1;
 }
 #endif

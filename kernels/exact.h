@@ -12,6 +12,9 @@
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
 
 #ifdef __FAST_MATH__
 #error "brink rests on IEEE arithmetic: do not compile it with -ffast-math"
@@ -20,9 +23,11 @@
 #error "brink needs doubles to be rounded to double: -mfpmath=sse"
 #endif
 
-/** Always inlined, so that a body compiled for hardware with fma() has it
- * throughout. */
+/** Always inlined: a body compiled for hardware with fma() has it throughout. */
 #define BRINK_INLINE static inline __attribute__((always_inline))
+
+/** Not inlined, so that what is rare takes no registers from what is not. */
+#define BRINK_APART __attribute__((noinline))
 
 // --- Error-free transforms -----------------------------------------------------
 
@@ -107,6 +112,56 @@ BRINK_INLINE dd dd_sqrt(dd x)
     return fast_two_sum(s, d / (2 * s)); // error <= 25/8 u^2
 }
 
+// --- Choices -------------------------------------------------------------------
+//
+// Without a branch, whatever the compiler thinks: these are asked where either
+// answer is as likely.
+
+#ifdef __SSE2__
+/** x in the low half of a register, whose high half does not matter: GCC spends
+ *  an instruction on clearing that. */
+BRINK_INLINE __m128d in_register(double x)
+{
+#ifdef __clang__
+    return _mm_set_sd(x);
+#else
+    __m128d v;
+    __asm__("" : "=x"(v) : "0"(x));
+    return v;
+#endif
+}
+#endif
+
+BRINK_INLINE double larger(double x, double y) // y, if one is not a number
+{
+#ifdef __SSE2__
+    return _mm_cvtsd_f64(_mm_max_sd(in_register(x), in_register(y)));
+#else
+    return x > y ? x : y;
+#endif
+}
+
+BRINK_INLINE double smaller(double x, double y) // y, if one is not a number
+{
+#ifdef __SSE2__
+    return _mm_cvtsd_f64(_mm_min_sd(in_register(x), in_register(y)));
+#else
+    return x < y ? x : y;
+#endif
+}
+
+/** y where the sign bit of x is set, otherwise z. */
+BRINK_INLINE double if_negative(double x, double y, double z)
+{
+#ifdef __AVX__
+    __m128d chosen =
+        _mm_blendv_pd(in_register(z), in_register(y), in_register(x));
+    return _mm_cvtsd_f64(chosen);
+#else
+    return signbit(x) ? y : z;
+#endif
+}
+
 // --- Powers of two -------------------------------------------------------------
 
 BRINK_INLINE uint64_t bits_of(double x)
@@ -123,10 +178,20 @@ BRINK_INLINE double double_of(uint64_t b)
     return x;
 }
 
-/** 2^-400 <= x < 2^500: also tells NaN, infinities and the negative. */
+/** Whether all are in [2^-512, 2^512): also tells NaN, infinities and the
+ *  negative. */
+BRINK_INLINE int are_moderate(double x, double y, double z)
+{
+    const uint64_t least = 1023 - 512, exponents = 1024; // a power of two
+    uint64_t all = (bits_of(x) >> 52) - least;
+    all |= ((bits_of(y) >> 52) - least) | ((bits_of(z) >> 52) - least);
+    return all < exponents;
+}
+
+/** Whether x is in [2^-512, 2^512). */
 BRINK_INLINE int is_moderate(double x)
 {
-    return (bits_of(x) >> 52) - (1023 - 400) < 900;
+    return are_moderate(x, x, x);
 }
 
 /**
@@ -141,8 +206,13 @@ BRINK_INLINE int is_told(dd x)
     return fma(x.lo, 1 + 0x1p-15, x.hi) == x.hi;
 }
 
-/** The biased exponent: 0 for zero and subnormals, 2047 for infinities and NaN.
- */
+/** Of a number that is not 0: its sign bit. */
+BRINK_INLINE int sign_of(double x)
+{
+    return -(int)(bits_of(x) >> 63) | 1;
+}
+
+/** The biased exponent: 0 of zero and subnormals, 2047 of infinities and NaN. */
 BRINK_INLINE int biased_exponent(double x)
 {
     return (int)(bits_of(x) >> 52 & 0x7ff);

@@ -6,7 +6,7 @@
  *
  * Throughout: r = r1 - r2, the *actual* separation at the event, a few ulp off
  * the surface as it may be; v1, v2 the velocities, updated in place; m1, m2 > 0
- * finite. With mu = m1 m2 / (m1 + m2) and b = r.(v1 - v2), the energy of the
+ * finite.  With mu = m1 m2 / (m1 + m2) and b = r.(v1 - v2), the energy of the
  * radial motion is mu b^2 / (2 r.r).  Nothing here depends on r having the length
  * of the step, so the energy is right wherever the pair was put.
  */

@@ -5,19 +5,21 @@
  * Inside or outside, coming or going: the overlap functions of [S16] and their
  * rates.
  *
- * The ball's      f = r.r - sigma^2, negative inside [S16 eq. 1], half its rate
- *                 r.v [eq. 2], for the separation r and relative velocity v of a
- *                 pair;
- * the half-space's f = n.(r - c), rate n.v [eq. 4], for a particle at r and a
- * plane through
- *                 c whose normal n, of any length, points to the valid side.
+ *     ball         f = r.r - sigma^2 [S16 eq. 1], negative inside; half its rate,
+ *                  r.v [eq. 2]; r and v a pair's separation and relative velocity
+ *     half-space   f = n.(r - c) and its rate n.v [eq. 4], of a particle at r and
+ *                  the plane through c whose normal n, of any length, points to
+ *                  the valid side
+ *
  * Functions with _at take r + v t for r: where free flight leads.
  *
- * Domain     finite inputs of any magnitude, t of either sign
+ * Domain     finite inputs of any magnitude, t of either sign; outside of it
+ *            values are NaN, and signs 0
  * Accuracy   signs are exact for the doubles given; values are within
  *            BRINK_OVERLAP_ULP of exact, under- and overflow included
- * Method     double-double with a bound; what lies within the bound of 0, or has
- *            lost too many digits to cancellation, in exact arithmetic
+ * Method     sums that carry their rounding errors along, with a bound; what lies
+ *            within the bound of 0, or has lost too many digits to cancellation,
+ *            in exact arithmetic
  * Checked    tests/overlap_test.c
  */
 #ifdef __cplusplus

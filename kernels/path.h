@@ -24,6 +24,18 @@
 #define BRINK_GLUE(name, path)  BRINK_GLUE_(name, path)
 #define BRINK_ON_PATH(name)     BRINK_GLUE(name, BRINK_PATH)
 
+#define brink_ball_overlap         BRINK_ON_PATH(brink_ball_overlap)
+#define brink_ball_overlap_rate    BRINK_ON_PATH(brink_ball_overlap_rate)
+#define brink_ball_overlap_at      BRINK_ON_PATH(brink_ball_overlap_at)
+#define brink_ball_overlap_sign_at BRINK_ON_PATH(brink_ball_overlap_sign_at)
+#define brink_ball_overlap_rate_at BRINK_ON_PATH(brink_ball_overlap_rate_at)
+#define brink_ball_overlap_rate_sign_at                                          \
+    BRINK_ON_PATH(brink_ball_overlap_rate_sign_at)
+#define brink_halfspace_overlap      BRINK_ON_PATH(brink_halfspace_overlap)
+#define brink_halfspace_overlap_rate BRINK_ON_PATH(brink_halfspace_overlap_rate)
+#define brink_halfspace_overlap_at   BRINK_ON_PATH(brink_halfspace_overlap_at)
+#define brink_halfspace_overlap_sign_at                                          \
+    BRINK_ON_PATH(brink_halfspace_overlap_sign_at)
 #define brink_quadratic_roots         BRINK_ON_PATH(brink_quadratic_roots)
 #define brink_quadratic_roots_cr      BRINK_ON_PATH(brink_quadratic_roots_cr)
 #define brink_intersection_time       BRINK_ON_PATH(brink_intersection_time)

@@ -2,19 +2,19 @@
 // u = 2^-53; error bounds are relative and to first order.
 #include "path.h"
 
+#include "lanes.h"
 #include "quadratic.h"
 #include "root.h"
 
 BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
 {
-    *x0 = x < y ? x : y;
-    *x1 = y > x ? y : x;
+    *x0 = smaller(x, y);
+    *x1 = larger(y, x);
 }
 
 /**
- * With h = -b / 2, exact, and d = h^2 - a c: roots s / a and c / s, where
- * s = h + sign(h) sqrt(d).  The size h^2 + |a c| is to be in range: then nothing
- * overflows, and what underflows is lost beside the rest.
+ * The roots are s / a and c / s, with s = h + sign(h) sqrt(d), h = -b / 2, exact,
+ * and d = h^2 - a c.
  *
  * The error, with w = sqrt(d) / |s|: d's is halved by the root, which adds 1u,
  * all times w; the sum adds 1u; the quotient half an ulp.
@@ -26,25 +26,41 @@ BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
  *
  * and 2.5u are at most 2.5 ulp: 3 in all.
  */
-BRINK_INLINE int roots_in_range(double a, double b, double c, double *x0,
-                                double *x1)
+BRINK_INLINE double discriminant_of(double h, dd q)
 {
-    double h = -0.5 * b;
-    dd q = two_prod(a, c);
-    double first = q.hi > q.lo ? q.hi : q.lo, last = q.lo < q.hi ? q.lo : q.hi;
-    double d = fma(h, h, -first) - last;
-    if (d < 0)
-        return 0;
+    return fma(h, h, -larger(q.hi, q.lo)) - smaller(q.hi, q.lo);
+}
+
+BRINK_INLINE int roots_of(double a, double c, double h, double d, double *x0,
+                          double *x1)
+{
     double s = h + copysign(sqrt(d), h);
-    in_order(s / a, c / s, x0, x1);
+    two_lanes x = (two_lanes){s, c} / (two_lanes){a, s};
+    in_order(x[0], x[1], x0, x1);
     return 2;
 }
 
-/** Exponent of x: 2^e <= |x| < 2^(e+1). */
-static int exponent_of(double x)
+/** m 2^e, 1 <= |m| < 2. */
+typedef struct parts {
+    double m;
+    int e;
+} parts;
+
+/** m with another exponent, 2^e. */
+BRINK_INLINE double with_exponent(double m, int e)
 {
-    int e = biased_exponent(x);
-    return e != 0 ? e - 1023 : biased_exponent(x * 0x1p54) - 1077;
+    const uint64_t field = UINT64_C(0x7ff) << 52;
+    return double_of((bits_of(m) & ~field) | (uint64_t)(e + 1023) << 52);
+}
+
+/** Of a finite number, not 0. */
+BRINK_INLINE parts taken_apart(double x)
+{
+    int biased = biased_exponent(x), is_subnormal = biased == 0;
+    double m = with_exponent(x, 0); // 1 too large, if subnormal
+    m -= copysign(is_subnormal, x);
+    int e = biased + is_subnormal + biased_exponent(m) - 2 * 1023;
+    return (parts){with_exponent(m, 0), e};
 }
 
 /** x 2^e, rounded once: x is so that the first step stays normal. */
@@ -63,17 +79,17 @@ typedef struct balanced {
 
 static balanced balance(double a, double b, double c) // a, c not 0
 {
-    int ea = exponent_of(a), ec = exponent_of(c), unit = (ec - ea) / 2;
-    int eb = b != 0 ? exponent_of(b) + unit - ec : -3000, limit = 200;
-    int shift = unit - ec;
-    balanced e = {scaled(a, 2 * unit - ec), 0, scaled(c, -ec), eb, unit};
-    if (eb > -limit && eb < limit)
-        e.b = scaled(b, shift);
-    return e;
+    const int limit = 200;
+    parts pa = taken_apart(a), pb = taken_apart(b), pc = taken_apart(c);
+    int unit = (pc.e - pa.e) / 2, eb = pb.e + unit - pc.e;
+    eb = b != 0 ? eb : -limit;
+    double scaled_b = eb > -limit && eb < limit ? with_exponent(pb.m, eb) : 0;
+    double scaled_a = with_exponent(pa.m, pa.e + 2 * unit - pc.e);
+    return (balanced){scaled_a, scaled_b, pc.m, eb, unit};
 }
 
-static __attribute__((noinline)) int roots_rescued(double a, double b, double c,
-                                                   double *x0, double *x1)
+static BRINK_APART int roots_rescued(double a, double b, double c, double *x0,
+                                     double *x1)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return -1;
@@ -92,24 +108,35 @@ static __attribute__((noinline)) int roots_rescued(double a, double b, double c,
         in_order(-b / a, -c / b, x0, x1);
         return 2;
     }
-    double y0, y1;
-    int count = roots_in_range(e.a, e.b, e.c, &y0, &y1);
-    if (count == 2) {
-        *x0 = scaled(y0, e.unit);
-        *x1 = scaled(y1, e.unit);
-    }
-    return count;
+    double h = -0.5 * e.b, d = discriminant_of(h, two_prod(e.a, e.c)), y0, y1;
+    if (d < 0)
+        return 0;
+    roots_of(e.a, e.c, h, d, &y0, &y1);
+    *x0 = scaled(y0, e.unit);
+    *x1 = scaled(y1, e.unit);
+    return 2;
 }
 
+/** Where d is in range so was all that it was made of: an overflow would have
+ *  left no number, and what underflows, less than 2^-1074, is lost beside it. */
 int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1)
 {
-    if (bits_of(a) << 1 != 0 && is_moderate(fma(0.5 * b, 0.5 * b, fabs(a * c))))
-        return roots_in_range(a, b, c, x0, x1);
+    double h = -0.5 * b;
+    dd q = two_prod(a, c);
+    double first = fma(h, h, -q.hi); // d < 0 as surely as first < q.lo
+    if (first < q.lo) {
+        if (first < -0x1p-900)
+            return 0;
+    } else {
+        double d = discriminant_of(h, q);
+        if (is_moderate(d) && bits_of(a) << 1 != 0)
+            return roots_of(a, c, h, d, x0, x1);
+    }
     return roots_rescued(a, b, c, x0, x1);
 }
 
-static __attribute__((noinline)) int
-roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
+static BRINK_APART int roots_exact(double a, double b, double c, double *x0,
+                                   double *x1) // a is not 0
 {
     const double two = 2;
     brink_dyadic a2, b1, c2, bb, ac, d; // 2a x^2 + 2 b x + 2c
@@ -128,37 +155,44 @@ roots_exact(double a, double b, double c, double *x0, double *x1) // a is not 0
 
 /**
  * The same with the low parts carried along.  2, 0, or -1 where a root cannot be
- * rounded with certainty or the size is not in range.
+ * rounded with certainty or something is not in range.
  *
- * d is off by 5u^2 of its size, so sqrt(d) by 2.5u^2 size / sqrt(d) <= 2.5u^2
- * 2^20 sqrt(size), s is no less than sqrt(size / 2), and a root off by 2^-83 at
- * most.
+ * root is to within 2.2u that of d, and its residual d - root^2 off by 14u^2 of
+ * the size h^2 + |a c|: what is left of d behind t and rest is 3u^2, and 7u^2 and
+ * 4u^2 are the roundings.  With it the root is off by 7u^2 size / sqrt(d) <= 7u^2
+ * 2^20 sqrt(size); s is no less than sqrt(size / 2), so s / a and c / s are off
+ * by 2^-82 at most.  The inverses may be off by some u: the residuals of their
+ * products make that good.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)
 {
     double h = -0.5 * b;
-    dd p = two_prod(h, h), q = two_prod(a, c), t = two_sum(p.hi, -q.hi);
-    double rest = t.lo + (p.lo - q.lo), d = t.hi + rest, size = p.hi + fabs(q.hi);
-    if (!is_moderate(size) || !is_moderate(fabs(a)) || !is_moderate(fabs(c)))
+    dd q = two_prod(a, c);
+    double first = fma(h, h, -q.hi); // d < 0 as surely as first < q.lo
+    if (first < q.lo)
+        return first < -0x1p-900 ? 0 : -1;
+    double d = first - q.lo, size = fma(h, h, fabs(q.hi));
+    if (!are_moderate(size, fabs(a), fabs(c)) || !(d > 0x1p-40 * size))
         return -1;
-    if (!(d > 0x1p-40 * size)) // Kahan's d has the right sign
-        return fma(h, h, -q.hi) - q.lo < 0 ? 0 : -1;
     double root = copysign(sqrt(d), h);
+    dd p = two_prod(h, h), t = two_sum(p.hi, -q.hi);
+    double rest = t.lo + (p.lo - q.lo);
+    two_lanes inverse = (two_lanes){0.5, 1} / (two_lanes){root, a};
     dd s = two_sum(h, root);
-    s.lo = fma(fma(-root, root, t.hi) + rest, 0.5 / root, s.lo);
-    double by_a = 1 / a,
-           by_s = 1 / s.hi; // good enough: the residuals put it right
-    double x = s.hi * by_a, y = c * by_s;
-    dd x_told = fast_two_sum(x, (fma(-x, a, s.hi) + s.lo) * by_a);
-    dd y_told = fast_two_sum(y, fma(-y, s.lo, fma(-y, s.hi, c)) * by_s);
-    if (!is_told(x_told) || !is_told(y_told))
+    s.lo = fma(fma(-root, root, t.hi) + rest, inverse[0], s.lo);
+    inverse[0] = 1 / s.hi;
+    two_lanes over = {c, s.hi}, under = {s.hi, a}; // c / s and s / a
+    two_lanes x = over * inverse, residual = lanes_fma(-x, under, over);
+    residual =
+        lanes_fma((two_lanes){-x[0], 1}, (two_lanes){s.lo, s.lo}, residual);
+    if (!lanes_are_told(x, residual * inverse, &x))
         return -1;
-    in_order(x_told.hi, y_told.hi, x0, x1);
+    in_order(x[0], x[1], x0, x1);
     return 2;
 }
 
-static __attribute__((noinline)) int
-roots_rescued_cr(double a, double b, double c, double *x0, double *x1)
+static BRINK_APART int roots_rescued_cr(double a, double b, double c, double *x0,
+                                        double *x1)
 {
     if (!isfinite(a) || !isfinite(b) || !isfinite(c))
         return -1;

@@ -30,8 +30,7 @@ enum brink_event_kind {
     BRINK_BOUNCE = 3   // reflected by a finite step, from either side
 };
 
-/** Which way a pair meets a step: the side it comes from is its level's business.
- */
+/** Which way a pair meets a step; from which side, its level says. */
 enum brink_direction { BRINK_INWARD = -1, BRINK_OUTWARD = 1 };
 
 /** 1 if the potential is as described above, 0 otherwise. */
@@ -59,11 +58,12 @@ int brink_step_level_at(const brink_potential *p, const double r[3]);
 /**
  * The state machine: one event applied to one level.
  *
- * Returns   1 and the new level in *next where the event is legal: capture from a
- *           level whose next step inward is finite (level + 1), release from a
- * level above 0 (level - 1), bounce wherever there is a finite step to bounce
- *           from, core where the next step inward is infinite (both: level kept);
- *           0 and *next = level for everything else, an illegal level included.
+ * Returns   1 and the new level in *next where the event is legal:
+ *               capture  the next step inward is finite: level + 1
+ *               release  the level is above 0: level - 1
+ *               bounce   there is a finite step to bounce from: level
+ *               core     the next step inward is infinite: level
+ *           0 and *next = level for everything else, an illegal level included
  */
 int brink_step_next(const brink_potential *p, int level,
                     enum brink_event_kind event, int *next);
@@ -73,10 +73,12 @@ int brink_step_next(const brink_potential *p, int level,
  * wall (0 or 1) and the index of a cell along an axis change only by an executed
  * crossing.
  *
- * brink_side_next: the other side; returns 1, or 0 and *next = side if side is
- * not 0/1. brink_cell_next: cell + way along an axis of `cells` cells, wrapping
- * round where it is periodic; returns 1, or 0 and *next = cell where there is
- * none.
+ *     brink_side_next    the other side
+ *     brink_cell_next    cell + way along an axis of `cells` cells, wrapping
+ *                        round where it is periodic
+ *
+ * Returns   1 and the new one in *next; 0 and *next = the old one where that is
+ *           none or has no next
  */
 int brink_side_next(int side, int *next);
 int brink_cell_next(int cell, int cells, int way, int periodic, int *next);

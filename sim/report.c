@@ -8,9 +8,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+enum { NARROW = 7 }; // columns; a table of more is set closer
+
 // Drawings keep a light card in the dark, because gnuplot writes its colours into
 // them; on a narrow screen they scroll sideways rather than shrink out of
-// reading.
+// reading.  So do tables, under their first column and below their caption.
 static const char style[] =
     ":root{color-scheme:light dark;--ink:#1d2430;--soft:#5b6575;--line:#d9dee6;"
     "--page:#fff;--card:#f5f7fa;--mark:#0072b2}\n"
@@ -33,15 +35,21 @@ static const char style[] =
     "figcaption,caption{color:var(--soft);font-size:.92rem;line-height:1.45}\n"
     "figcaption{margin-top:.6rem}\n"
     ".table{overflow-x:auto;margin:1.25rem 0}\n"
-    "table{border-collapse:collapse;width:100%;font-size:.94rem;line-height:1.4;"
-    "font-variant-numeric:tabular-nums}\n"
+    "table{border-collapse:separate;border-spacing:0;width:100%;font-size:.94rem;"
+    "line-height:1.375rem;font-variant-numeric:tabular-nums}\n"
     "caption{text-align:left;padding-bottom:.5rem}\n"
-    "th,td{padding:.45rem .7rem;text-align:left;vertical-align:top;"
+    "caption span{display:inline-block;position:sticky;left:0;"
+    "max-width:calc(100vw - 2.5rem)}\n"
+    "th,td{padding:.4375rem .7rem;text-align:left;vertical-align:top;"
     "border-bottom:1px solid var(--line)}\n"
     "th{font-weight:600}thead th{vertical-align:bottom;"
     "border-bottom:2px solid var(--soft)}\n"
-    "th:first-child{padding-left:0}\n"
-    ".r{text-align:right;white-space:nowrap}\n"
+    "tbody th{min-width:5.5rem}\n"
+    ".wide table{font-size:.84rem;line-height:1.25rem}"
+    ".wide th,.wide td{padding:.375rem .45rem}\n"
+    "th:first-child{padding-left:0;position:sticky;left:0;"
+    "background:var(--page)}\n"
+    ".r{text-align:right}td.r{white-space:nowrap}\n"
     "pre{overflow-x:auto;padding:.9rem 1.1rem;background:var(--card);"
     "border-radius:6px;font:.88rem/1.5 ui-monospace,Menlo,Consolas,monospace}\n";
 
@@ -177,9 +185,10 @@ void brink_report_table(brink_report *r, const char *caption, int columns,
     r->align = align;
     if (!is_well(r))
         return;
-    fputs("<div class=\"table\"><table><caption>", r->page);
+    fprintf(r->page, "<div class=\"table%s\"><table><caption><span>",
+            columns > NARROW ? " wide" : "");
     brink_report_escape(r->page, caption);
-    fputs("</caption>\n<thead><tr>", r->page);
+    fputs("</span></caption>\n<thead><tr>", r->page);
     for (int k = 0; k < columns; k++) {
         fprintf(r->page, "<th scope=\"col\" class=\"%c\">", align[k]);
         brink_report_escape(r->page, head[k]);

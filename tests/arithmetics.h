@@ -3,6 +3,7 @@
 #define TESTS_ARITHMETICS_H
 /** formulas.h in double, long double and, where there is one, __float128: the
  * functions double_NAME, long_NAME and quad_NAME. */
+#include <brink/impulse.h>
 #include <math.h>
 
 #define REAL    double

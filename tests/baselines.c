@@ -86,18 +86,6 @@ int baseline_quadratic_goualard(double a, double b, double c, double *x0,
     return 2;
 }
 
-int baseline_overlap_sign(const double r[3], double sigma)
-{
-    double f = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - sigma * sigma;
-    return (f > 0) - (f < 0);
-}
-
-int baseline_overlap_rate_sign(const double r[3], const double v[3])
-{
-    double f = r[0] * v[0] + r[1] * v[1] + r[2] * v[2];
-    return (f > 0) - (f < 0);
-}
-
 double baseline_intersection(const double r[3], const double v[3], double sigma)
 {
     double a = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];

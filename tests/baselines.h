@@ -12,9 +12,6 @@ int baseline_quadratic_textbook(double a, double b, double c, double *x0,
 int baseline_quadratic_goualard(double a, double b, double c, double *x0,
                                 double *x1);
 
-int baseline_overlap_sign(const double r[3], double sigma);
-int baseline_overlap_rate_sign(const double r[3], const double v[3]);
-
 /** [S16] algorithm 1 as printed. */
 double baseline_intersection(const double r[3], const double v[3], double sigma);
 /** [S16] algorithm 2 with its branches put right, otherwise as printed. */

@@ -2,13 +2,15 @@
 /**
  * Speed against error.
  *
- *   bench [OPTION VALUE]...   writes a page; --out FOLDER, --cases N of each
- * family,
- *                             --seconds S for the costs of a problem, --seed N,
- *                             --instructions FILE that instructions.sh wrote
- *   bench speed [PART]        what was asked of the kernels' speed, and what is
- * measured, of kernels whose name holds PART bench count               calls
- * everything, for instructions.sh to count
+ *   bench [OPTION VALUE]...   writes a page
+ *         --out FOLDER            into FOLDER
+ *         --cases N               from N cases of each family
+ *         --seconds S             with S seconds for the costs of a problem
+ *         --seed N                of other random inputs
+ *         --instructions FILE     with the counts that instructions.sh wrote
+ *   bench speed [PART]        prints what was asked of the kernels' speed, and
+ *                             what is measured, of kernels whose name holds PART
+ *   bench count               calls everything, for instructions.sh to count
  */
 #include "bench_count.h"
 #include "bench_page.h"

@@ -2,9 +2,10 @@
 #include "bench_chart.h"
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** A line of text, as a part of the height. */
-static const double TEXT = 0.042;
+static const double TEXT = 0.035;
 
 /** The column for what is wrong, as a part of the width to its left. */
 static const double COLUMN = 0.13;
@@ -54,7 +55,7 @@ static void mark_make(mark *m, const contest *c, int k, int measure)
     *m = (mark){
         .of = s,
         .colour = colour_of(c, k),
-        .is_ours = s->method->rank < RANK_FORMULA,
+        .is_ours = s->method->rank <= RANK_SIGN,
         .is_wrong = isinf(max) || (measure == 0 && measure_wrong(&s->all) > 0),
         .share = measure == 0 ? standing_wrong(s)
                               : standing_above(s, measure, DBL_MAX),
@@ -75,7 +76,7 @@ int chart_make(chart *g, const contest *c, int measure)
     g->out = open_memstream(&g->script, &g->size);
     for (int k = 0; g->mark != NULL && k < methods; k++) {
         mark *m = &g->mark[g->marks];
-        if (c->of[k].method->rank == RANK_SIGN) // has no error
+        if (rank_is_sign(c->of[k].method->rank)) // has no error
             continue;
         mark_make(m, c, k, measure);
         if (!m->is_wrong)
@@ -107,12 +108,14 @@ char *chart_end(chart *g)
 
 void chart_write_frame(const chart *g, const char *unit)
 {
-    fprintf(g->out, "set terminal svg size 860,540 dynamic enhanced font "
+    fprintf(g->out, "set terminal svg size 860,620 dynamic enhanced font "
                     "'sans-serif,15' background '#ffffff'\n"
                     "set style textbox opaque noborder margins 0.3,0.1\n"
                     "unset key\nset tmargin 3\nset logscale xy\n");
-    fprintf(g->out, "set xrange [10**%g:10**%g]\nset xlabel 'error in %s'\n",
-            g->left, g->end, unit);
+    const int is_ulp = strcmp(unit, "ulp") == 0; // of the answer itself
+    fprintf(g->out, "set xrange [10**%g:10**%g]\nset xlabel 'error in %s%s'\n",
+            g->left, g->end, unit,
+            is_ulp ? ", units in the last of a double’s 16 digits" : "");
     fprintf(g->out, "set xtics scale 1,0 (");
     const int is_wide = g->right - g->left > 9;
     for (int d = is_wide ? 0 : (int)g->left; d < g->right; d += is_wide ? 3 : 1)
@@ -125,7 +128,7 @@ void chart_write_frame(const chart *g, const char *unit)
             "set object 1 rectangle from first 10**%g, graph 0 to first 10**%g, "
             "graph 1 behind fillcolor rgb '#f6eeee' fillstyle solid noborder\n",
             g->right, g->end);
-    if (g->measure == 0)
+    if (is_ulp)
         fprintf(g->out, "set arrow 1 from 0.5, graph 0 to 0.5, graph 1.02 nohead "
                         "lc rgb '#5b6575' dt 3 lw 1.5\n"
                         "set label 1 '½ ulp: nothing is nearer' at 0.5, graph "
@@ -183,5 +186,5 @@ void chart_name(const chart *g, int tag, double x, double y, const char *how,
             fputc(*c, g->out);
     fprintf(g->out, "%s%s' at 10**%.4f, 10**%.4f ", m->is_ours ? "}" : "", rest,
             x, y);
-    fprintf(g->out, "tc rgb '%s' font ',14' %s\n", m->colour, how);
+    fprintf(g->out, "tc rgb '%s' font ',15' %s\n", m->colour, how);
 }

@@ -4,7 +4,7 @@
 /**
  * What the bench's figures have in common: a logarithmic axis of errors that ends
  * in a column for what is wrong, and ways to an answer with their colours and
- * labels. Positions are in decades: 2 is at 100.
+ * labels.  Positions are in decades: 2 is at 100.
  */
 #include "standing.h"
 #include <stdio.h>

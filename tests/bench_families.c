@@ -21,6 +21,7 @@ static const struct {
     {"huge", "coefficients near the largest doubles"},
     {"midpoint", "a root all but halfway between two doubles"},
     {"sqrt", "a root like √(1 + 2 ulp), as near to halfway as one can be"},
+    {"tiny", "a root that is subnormal, or nearly, beside one that is not"},
     {"dilute", "somewhere in a box of 20 diameters: most pairs never meet"},
     {"hits", "aimed at each other from up to 20 diameters away"},
     {"neighbours", "1 to 1.6 diameters apart, any velocity: a dense fluid"},
@@ -31,6 +32,16 @@ static const struct {
     {"rim", "at the rim, moving all but along it"},
     {"tangent", "along an exact tangent, in integers, or an ulp beside it"},
     {"line", "head on, where a time can lie exactly between two doubles"},
+    {"axial", "on the rim, moving along an axis"},
+    {"cancelling", "r·v and r·r - σ² both cancel, all but entirely"},
+    {"passing", "passing outside, all but at the closest approach"},
+    {"missing", "r·v cancels all but entirely, far from contact"},
+    {"closing",
+     "r·r - σ² is down to 10⁻³² of either: on the surface to twice the digits"},
+    {"skimming", "just off the surface, hardly steep enough to reach it"},
+    {"remainder", "r·v and r·r - σ² cancel twice over"},
+    {"sideways", "moving all but along the surface, at any distance from it"},
+    {"edge", "where squares, products or the answer all but underflow"},
     {"equal", "of equal masses, on the surface to a few ulp"},
     {"masses", "of masses up to 10¹² apart"},
     {"brink", "with the energy to cross the step, to a few ulp"},
@@ -42,7 +53,7 @@ static const char *words_for(const char *name)
     for (size_t k = 0; k < sizeof families / sizeof *families; k++)
         if (strcmp(families[k].name, name) == 0)
             return families[k].words;
-    return " ";
+    return "undescribed";
 }
 
 static void write_table(brink_report *r, const problem *p, const char *caption)

@@ -37,12 +37,18 @@ static void draw(brink_report *r, char *script, const problem *p,
 
 static void draw_scatter(brink_report *r, const contest *c)
 {
-    char caption[400];
+    char caption[600];
+    int has_fast = 0;
+    for (int k = 0; k < c->problem->methods; k++)
+        has_fast |= c->problem->method[k].rank == RANK_FAST;
     snprintf(caption, sizeof caption,
              "%s: cost against error. Each line is one way to the answer, from "
              "its median error to its worst. A cross: it was wrong about "
-             "whether, not only about how much.",
-             c->problem->title);
+             "whether, not only about how much.%s",
+             c->problem->title,
+             has_fast ? " “brink, _fast” may be, where balls all but graze: what "
+                        "it promises is a distance, drawn further down."
+                      : "");
     draw(r, bench_scatter(c, 0), c->problem, "", caption);
 }
 

@@ -13,7 +13,6 @@ typedef struct bench_settings {
     uint64_t seed;
 } bench_settings;
 
-/** Measures all there is and writes the page.  0, or -1 after a word to stderr.
- */
+/** Measures all there is and writes the page; 0, or -1 after a word to stderr. */
 int bench_page(const bench_settings *s);
 #endif

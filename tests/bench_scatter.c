@@ -10,12 +10,13 @@ static void write_axes(const chart *g, const contest *c)
             g->low, g->high);
     fprintf(g->out, "set ylabel 'cost, as a multiple of “%s”' offset 1,0\n",
             c->of[0].method->label);
-    fprintf(g->out, "set ytics scale 1,0 ('1×' 1, '2×' 2, '5×' 5, '10×' 10, "
-                    "'100×' 100, '1000×' 1000, '10 000×' 1e4)\n"
-                    "set label 2 '↙ better' at screen 0.012, 0.035 tc rgb "
-                    "'#5b6575' font ',13'\n"
-                    "set label 3 'cost, and part wrong' at graph 1, graph 1.03 "
-                    "offset 0.5,0.3 tc rgb '#5b6575' font ',13'\n");
+    fprintf(g->out,
+            "set ytics scale 1,0 ('1×' 1, '2×' 2, '5×' 5, '10×' 10, "
+            "'100×' 100, '1000×' 1000, '10 000×' 1e4)\n"
+            "set label 2 '↙ {/:Bold better}' at screen 0.012, 0.03 tc rgb "
+            "'#0072b2' font ',15'\n"
+            "set label 3 'cost, and how often wrong' at graph 1, graph 1.03 "
+            "offset 0.5,0.3 tc rgb '#5b6575' font ',13'\n");
 }
 
 /** A cross in the column, and the name in the margin. */
@@ -37,8 +38,9 @@ static void write_right(const chart *g, const mark *m, int tag, double x)
     snprintf(rest, sizeof rest, "  %s×", bench_ratio(m->of->ratio).text);
     chart_point(g, tag, x, m->cost, "pt 7 ps 1.1", m->colour);
     chart_name(g, tag + 1, x, m->label,
-               has_room ? "offset 0.9,0 front" : "offset -0.5,0 right front", m,
-               rest);
+               has_room ? "offset 0.9,0 front boxed"
+                        : "offset -0.5,0 right front boxed",
+               m, rest);
 }
 
 /** `place` of six is where in the column it stands, as several cost the same. */
@@ -62,7 +64,7 @@ char *bench_scatter(const contest *c, int measure)
     if (chart_make(&g, c, measure) == 0) {
         int wrong = 0;
         write_axes(&g, c);
-        chart_spread(&g, 0, 0.75);
+        chart_spread(&g, 0, 1);
         chart_spread(&g, 1, 0);
         for (int k = 0; k < g.marks; k++) {
             write_mark(&g, &g.mark[k], 10 + 4 * k, wrong % 6);

@@ -4,15 +4,13 @@
 #include <brink/event_time.h>
 #include <stddef.h>
 
-// --- Batches
-// -------------------------------------------------------------------------
+// --- Batches -------------------------------------------------------------------
 
 typedef void batch(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
 
-/** A batch on each path; weak, as a build may have one path only, without a name.
- */
+/** A batch on each path; weak, as a build may have but one, under no name. */
 #define BATCH(name)                                                              \
     batch name##_any __attribute__((weak)), name##_fma __attribute__((weak)),    \
         name##_avx512 __attribute__((weak));                                     \
@@ -49,8 +47,7 @@ static int machine_has(enum path path)
 #endif
 }
 
-// --- The table
-// -----------------------------------------------------------------------
+// --- The table -----------------------------------------------------------------
 
 typedef struct line {
     const char *kernel, *family, *baseline; // methods by name
@@ -86,8 +83,8 @@ static const line lines[] = {
     CALL("quadratic_roots", "wild", "quadratic/goualard", 1),
     CALL("quadratic_roots", "subnormal", "quadratic/goualard", 1),
     CALL("quadratic_roots", "huge", "quadratic/goualard", 1),
-    CALL("ball_overlap_sign", "dilute", "ball/naive", 1.3),
-    CALL("ball_overlap_rate_sign", "dilute", "rate/naive", 1.1),
+    CALL("ball_overlap_sign", "dilute", "ball/sign", 1.3),
+    CALL("ball_overlap_rate_sign", "dilute", "rate/sign", 1.1),
     CALL("intersection_time_fast", "dilute", IN, 1.25),
     CALL("intersection_time_fast", "hits", IN, 1.25),
     CALL("intersection_time_fast", "neighbours", IN, 1.25),
@@ -113,10 +110,17 @@ static const line lines[] = {
     BATCHES(intersection_times, "neighbours", IN, 0),
     BATCHES(intersection_times_fast, "dilute", IN, 0.7),
     CALL("disjoint_time_fast", "dilute", OUT, 1.25),
-    CALL("disjoint_time_fast", "captured", OUT, 1.25),
+    CALL("disjoint_time_fast", "hits", OUT, 1.25),
     CALL("disjoint_time_fast", "neighbours", OUT, 1.25),
     CALL("disjoint_time_fast", "contact", OUT, 1.25),
+    CALL("disjoint_time_fast", "captured", OUT, 1.25),
+    CALL("disjoint_time_fast", "grazing", OUT, 1.25),
     CALL("disjoint_time_fast", "rim", OUT, 1.25),
+    CALL("disjoint_time_fast", "integers", OUT, 1.25),
+    CALL("disjoint_time_fast", "tangent", OUT, 1.25),
+    CALL("disjoint_time_fast", "line", OUT, 1.25),
+    CALL("disjoint_time_fast", "scaled", OUT, 1.25),
+    CALL("disjoint_time_fast", "wild", OUT, 1.25),
     CALL("disjoint_time", "dilute", OUT, 1.5),
     CALL("disjoint_time", "captured", OUT, 1.8),
     CALL("disjoint_time", "neighbours", OUT, 1.8),
@@ -127,7 +131,10 @@ static const line lines[] = {
     CALL("disjoint_time_cr", "contact", OUT, 10),
     BATCHES(disjoint_times, "dilute", OUT, 0.7),
     BATCHES(disjoint_times, "captured", OUT, 0),
+    BATCHES(disjoint_times, "neighbours", OUT, 0),
     BATCHES(disjoint_times_fast, "dilute", OUT, 0.7),
+    BATCHES(disjoint_times_fast, "captured", OUT, 0),
+    BATCHES(disjoint_times_fast, "neighbours", OUT, 0),
 };
 
 int bench_speed_lines(void)

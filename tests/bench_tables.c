@@ -41,7 +41,7 @@ static void put_errors(brink_report *r, const standing *s, int measure)
 {
     static const double parts[] = {0.5, 1};
     for (int k = measure == 0 ? 0 : 1; k < 2; k++)
-        if (s->method->rank == RANK_SIGN)
+        if (rank_is_sign(s->method->rank))
             brink_report_cell(r, " ");
         else
             brink_report_cell(
@@ -98,7 +98,7 @@ void bench_write_summary(brink_report *r, const contest *c, const char *counts)
 /** Whether a method has a column among the wrong: ours always. */
 static int is_worth_telling(const standing *s)
 {
-    return s->method->rank < RANK_FORMULA || measure_wrong(&s->all) > 0;
+    return s->method->rank <= RANK_SIGN || measure_wrong(&s->all) > 0;
 }
 
 /** Wrong answers, a line a family. */

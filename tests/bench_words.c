@@ -21,7 +21,7 @@ brink_words bench_error(double ulps)
 brink_words bench_percent(double part)
 {
     brink_words w;
-    snprintf(w.text, sizeof w.text, "%.2g %%", 100 * part);
+    snprintf(w.text, sizeof w.text, "%.2g %%", 100 * part);
     return w;
 }
 
@@ -94,7 +94,7 @@ static void tell_rivals(FILE *out, const contest *c)
     const standing *best = NULL;
     for (int k = 0; k < c->problem->methods; k++) {
         const standing *s = &c->of[k];
-        if (s->method->rank < RANK_FORMULA || s->method->rank == RANK_JUDGE)
+        if (s->method->rank <= RANK_SIGN || s->method->rank == RANK_JUDGE)
             continue;
         rivals++;
         if (measure_wrong(&s->all) > 0)

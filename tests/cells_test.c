@@ -170,8 +170,7 @@ START_TEST(all_is_near_to_a_particle_at_rest_in_the_middle_of_small_cells)
 }
 END_TEST
 
-// Followed through its crossings, a particle is where its cell says, to a
-// rounding.
+// Followed through its crossings, a particle is where its cell says, or nearly.
 START_TEST(crossings_keep_the_cell_in_step_with_the_position)
 {
     gsl_rng *rng = seeded(4);

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// --- Energy and momentum -----------------------------------------------------
+// --- Energy and momentum -------------------------------------------------------
 
 /** The largest |m v| along an axis and the largest kinetic energy of any
  *  particle. */
@@ -70,7 +70,7 @@ START_TEST(energy_and_momentum_stay_for_a_million_events)
 }
 END_TEST
 
-// --- Time reversal -----------------------------------------------------------
+// --- Time reversal -------------------------------------------------------------
 
 static void copy(brink_system *to, const brink_system *from)
 {

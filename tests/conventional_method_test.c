@@ -107,8 +107,7 @@ START_TEST(a_level_is_read_from_the_books_or_from_position)
 }
 END_TEST
 
-// Two particles that have drifted, between two crossings, to opposite ends of the
-// box.
+// Two that have drifted, between crossings, to opposite ends of the box.
 START_TEST(the_separation_is_that_of_the_nearest_image)
 {
     brink_run run;
@@ -124,8 +123,7 @@ START_TEST(the_separation_is_that_of_the_nearest_image)
     p[0].v[0] = 0.75 * length / run.now.offset;
     double r[3];
     brink_separation_now(&run, 0, 1, r);
-    // The drift is rounded three times and the length subtracted exactly
-    // (Sterbenz).
+    // The drift is rounded thrice; the length subtracted exactly (Sterbenz).
     ck_assert_double_eq_tol(r[0], -0.25 * length, 3 * 0x1p-53 * length);
     brink_run_destroy(&run);
 }

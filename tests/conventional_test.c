@@ -14,9 +14,8 @@ static void make_conventional(brink_conventional *c, const char *scene,
         brink_conventional_create(c, &system, brink_method_rule(method)), 0);
 }
 
-// The control: with logical states this loop must do what the run does, event by
-// event and bit by bit, so that whatever else the methods do is due to their
-// rule.
+// The control: with logical states this loop does what the run does, event by
+// event and bit by bit; so whatever else the methods do is due to their rule.
 static void compare_with_run(const char *scene, uint64_t events)
 {
     brink_run run;
@@ -50,9 +49,9 @@ START_TEST(with_logical_states_the_loop_is_the_run)
 END_TEST
 
 // How far the energy is off, in steps of the potential: each state told wrongly
-// costs a whole one.  What rounding can do in 20 000 events stays far below: six
-// components of a velocity below 8 are rounded in each, together 6 * 8 * 2^-50 *
-// 8 at the worst.
+// costs a whole one.  What rounding can do in 20 000 events stays far below: each
+// rounds six components of velocities below 8, together 6 * 8 * 2^-50 * 8 at the
+// worst.
 static double energy_off(const brink_conventional *c, double begin)
 {
     return fabs(brink_energy_by_position(&c->house) - begin);

@@ -62,8 +62,7 @@ int cost_compare(int count, loop *const loops[], const inputs *in, answers *out,
     double spent = 0;
     for (int turn = 0; turn < PARTS * count || spent < seconds; turn++)
         for (int i = 0; i < count; i++) {
-            // Each is the first in its turn, the one that finds the inputs out of
-            // cache.
+            // Each is first in its turn, and then finds the inputs out of cache.
             const int part = turn % PARTS, k = (i + turn / PARTS) % count;
             const inputs few = part_of(in, part, runners[k].n);
             const double took = seconds_of(loops[k], &few, out);

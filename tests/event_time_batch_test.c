@@ -1,28 +1,52 @@
 // SPDX-License-Identifier: MIT
+// Batches are the scalar kernel bit for bit: as they are called, and on each
+// instruction set path by its name.
 #include "pairs.h"
+#include "paths.h"
 #include "suite.h"
 #include <brink/event_time.h>
-#include <string.h>
 
-enum { MOST = 400, SEED = 1 };
+enum { MOST = 300, SEED = 1, UNTOUCHED = -12345 };
 
 typedef void batch(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
 typedef double scalar(const double r[3], const double v[3], double sigma);
 
+PATHS_OF(batch, brink_intersection_times)
+PATHS_OF(batch, brink_intersection_times_fast)
+PATHS_OF(batch, brink_disjoint_times)
+PATHS_OF(batch, brink_disjoint_times_fast)
+
+enum { WAYS = 1 + PATHS_IN_ALL };
+
+static const char *const way_names[WAYS] = {"as called", "any", "fma", "avx512"};
+
 static const struct tier {
     const char *name;
-    batch *many;
+    batch *as_called, *many[PATHS_IN_ALL];
     scalar *one;
 } tiers[] = {
-    {"intersection", brink_intersection_times, brink_intersection_time},
+    {"intersection", brink_intersection_times, PATHS(brink_intersection_times),
+     brink_intersection_time},
     {"intersection_fast", brink_intersection_times_fast,
-     brink_intersection_time_fast},
-    {"disjoint", brink_disjoint_times, brink_disjoint_time},
-    {"disjoint_fast", brink_disjoint_times_fast, brink_disjoint_time_fast},
+     PATHS(brink_intersection_times_fast), brink_intersection_time_fast},
+    {"disjoint", brink_disjoint_times, PATHS(brink_disjoint_times),
+     brink_disjoint_time},
+    {"disjoint_fast", brink_disjoint_times_fast, PATHS(brink_disjoint_times_fast),
+     brink_disjoint_time_fast},
 };
 enum { TIERS = sizeof tiers / sizeof *tiers };
+
+static int has_way(int way)
+{
+    return way == 0 || can_try(way - 1);
+}
+
+static batch *batch_of(const struct tier *tier, int way)
+{
+    return way == 0 ? tier->as_called : tier->many[way - 1];
+}
 
 /** Pairs as a structure of arrays, with room to start at any alignment. */
 typedef struct arrays {
@@ -49,11 +73,10 @@ static void fill(arrays *a, stream *s, const pair_family *family)
     }
 }
 
-static void call(const struct tier *tier, const arrays *a, int from, int n,
-                 double *t)
+static void call(batch *many, const arrays *a, int from, int n, double *t)
 {
-    tier->many((size_t)n, a->x[0] + from, a->x[1] + from, a->x[2] + from,
-               a->x[3] + from, a->x[4] + from, a->x[5] + from, a->x[6] + from, t);
+    many((size_t)n, a->x[0] + from, a->x[1] + from, a->x[2] + from,
+         a->x[3] + from, a->x[4] + from, a->x[5] + from, a->x[6] + from, t);
 }
 
 static double one_by_one(const struct tier *tier, const arrays *a, int i)
@@ -63,62 +86,71 @@ static double one_by_one(const struct tier *tier, const arrays *a, int i)
     return tier->one(r, v, a->x[6][i]);
 }
 
-/** The same bits, but for which NaN it is. */
-static int same(double x, double y)
+/** t[i] must be right[i], i < n; pair i is in place from + i. */
+static void expect(const struct tier *tier, int way, const char *family,
+                   const arrays *a, int from, int n, const double *t,
+                   const double *right)
 {
-    return memcmp(&x, &y, sizeof x) == 0 || (isnan(x) && isnan(y));
+    for (int i = 0; i < n; i++)
+        if (!same(t[i], right[i])) {
+            const int k = from + i;
+            ck_abort_msg("%s, %s, %s, %d of %d from %d (seed %d):\n"
+                         "%a %a %a  %a %a %a  %a\nin a batch %a, alone %a",
+                         tier->name, way_names[way], family, i, n, from, SEED,
+                         a->x[0][k], a->x[1][k], a->x[2][k], a->x[3][k],
+                         a->x[4][k], a->x[5][k], a->x[6][k], t[i], right[i]);
+        }
 }
 
-static void expect(const struct tier *tier, const char *family, const arrays *a,
-                   int from, int n, const double *t)
+/** What a tier's scalar kernel says of every pair. */
+static void one_by_one_all(const struct tier *tier, const arrays *a,
+                           double right[MOST + 8])
 {
-    for (int i = 0; i < n; i++) {
-        double right = one_by_one(tier, a, from + i);
-        if (!same(t[i], right))
-            ck_abort_msg(
-                "%s, %s, %d of %d from %d (seed %d):\n%a %a %a  %a %a %a  %a\n"
-                "in a batch %a, alone %a",
-                tier->name, family, i, n, from, SEED, a->x[0][from + i],
-                a->x[1][from + i], a->x[2][from + i], a->x[3][from + i],
-                a->x[4][from + i], a->x[5][from + i], a->x[6][from + i], t[i],
-                right);
-    }
+    for (int i = 0; i < MOST + 8; i++)
+        right[i] = one_by_one(tier, a, i);
 }
 
 START_TEST(batches_of_any_size_and_alignment_are_the_scalar_kernel)
 {
     static arrays a;
+    static double right[TIERS][MOST + 8];
     stream s = {SEED};
-    for (int f = 0; f < PAIR_FAMILIES; f++)
-        for (int round = 0; round < 40; round++) {
-            fill(&a, &s, &pair_families[f]);
-            int from = stream_int(&s, 0, 7);
-            int n = round < 34 ? round
-                               : stream_int(&s, 0, MOST); // all tails of a vector
-            for (int k = 0; k < TIERS; k++) {
-                memset(a.t, 0, sizeof a.t);
-                call(&tiers[k], &a, from, n, a.t + from);
-                expect(&tiers[k], pair_families[f].name, &a, from, n, a.t + from);
+    fill(&a, &s, &pair_families[_i]);
+    for (int k = 0; k < TIERS; k++)
+        one_by_one_all(&tiers[k], &a, right[k]);
+    for (int n = 0; n <= MOST; n++)
+        for (int k = 0; k < TIERS; k++)
+            for (int way = 0; way < WAYS && has_way(way); way++) {
+                const int from = stream_int(&s, 0, 7), to = stream_int(&s, 0, 7);
+                for (int i = 0; i < MOST + 8; i++)
+                    a.t[i] = UNTOUCHED;
+                call(batch_of(&tiers[k], way), &a, from, n, a.t + to);
+                expect(&tiers[k], way, pair_families[_i].name, &a, from, n,
+                       a.t + to, right[k] + from);
                 for (int i = 0; i < MOST + 8; i++) // nothing else is written
-                    ck_assert((i >= from && i < from + n) || a.t[i] == 0);
+                    if ((i < to || i >= to + n) && a.t[i] != UNTOUCHED)
+                        ck_abort_msg("%s, %s, %d to %d: %d is written",
+                                     tiers[k].name, way_names[way], n, to, i);
             }
-        }
 }
 END_TEST
 
 START_TEST(the_times_may_be_written_over_any_of_the_inputs)
 {
     static arrays a, before;
+    static double right[MOST + 8];
     stream s = {SEED};
-    for (int f = 0; f < PAIR_FAMILIES; f++)
-        for (int k = 0; k < TIERS; k++)
+    for (int k = 0; k < TIERS; k++) {
+        fill(&before, &s, &pair_families[_i]);
+        one_by_one_all(&tiers[k], &before, right);
+        for (int way = 0; way < WAYS && has_way(way); way++)
             for (int over = 0; over < 7; over++) {
-                fill(&a, &s, &pair_families[f]);
-                before = a;
-                call(&tiers[k], &a, 0, MOST, a.x[over]);
-                expect(&tiers[k], pair_families[f].name, &before, 0, MOST,
-                       a.x[over]);
+                a = before;
+                call(batch_of(&tiers[k], way), &a, 0, MOST, a.x[over]);
+                expect(&tiers[k], way, pair_families[_i].name, &before, 0, MOST,
+                       a.x[over], right);
             }
+    }
 }
 END_TEST
 
@@ -128,18 +160,32 @@ START_TEST(inputs_may_be_one_array)
     double x[20], t[20];
     for (int i = 0; i < 20; i++)
         x[i] = i - 10;
-    brink_disjoint_times(20, x, x, x, x, x, x, x, t);
-    for (int i = 0; i < 20; i++) {
-        const double r[3] = {x[i], x[i], x[i]};
-        ck_assert(same(t[i], brink_disjoint_time(r, r, x[i])));
-    }
+    for (int k = 0; k < TIERS; k++)
+        for (int way = 0; way < WAYS && has_way(way); way++) {
+            batch_of(&tiers[k], way)(20, x, x, x, x, x, x, x, t);
+            for (int i = 0; i < 20; i++) {
+                const double r[3] = {x[i], x[i], x[i]};
+                ck_assert(same(t[i], tiers[k].one(r, r, x[i])));
+            }
+        }
 }
 END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("event_time_batch", 600,
-                     batches_of_any_size_and_alignment_are_the_scalar_kernel,
-                     the_times_may_be_written_over_any_of_the_inputs,
-                     inputs_may_be_one_array);
+    Suite *suite = suite_create("event_time_batch");
+    TCase *all = tcase_create("all");
+    tcase_set_timeout(all, 600);
+    tcase_add_loop_test(all,
+                        batches_of_any_size_and_alignment_are_the_scalar_kernel,
+                        0, PAIR_FAMILIES);
+    tcase_add_loop_test(all, the_times_may_be_written_over_any_of_the_inputs, 0,
+                        PAIR_FAMILIES);
+    tcase_add_test(all, inputs_may_be_one_array);
+    suite_add_tcase(suite, all);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
 }

@@ -3,7 +3,6 @@
 #include "oracle.h"
 #include "pairs.h"
 #include <brink/event_time.h>
-#include <brink/overlap.h>
 #include <check.h>
 
 enum { CASES_A_FAMILY = 3000, SEED = 1 };
@@ -36,8 +35,8 @@ static void report(const char *name, const char *family, int i,
                  p->v[1], p->v[2], p->sigma, got, mpfr_get_d(exact, ORACLE_N));
 }
 
-/** Event or none, now or later: exact.  The time within the bound; a tie to even.
- */
+/** Event or none, now or later: exact.  The time within the bound, and for 0.5
+ *  the nearest double, a tie to even. */
 static void keep(const promise *its, const char *family, int i,
                  const pair_case *p)
 {
@@ -83,116 +82,6 @@ START_TEST(every_promise_is_kept_on_the_hard_cases)
 }
 END_TEST
 
-START_TEST(every_promise_is_kept_on_all_small_integers)
-{
-    for (int n = 0; n < 4 * 4 * 4 * 27 * 5; n++) {
-        const int sigma = n / 1728;
-        pair_case p = {{n % 4, n / 4 % 4, n / 16 % 4},
-                       {n / 64 % 3 - 1, n / 192 % 3 - 1, n / 576 % 3 - 1},
-                       sigma};
-        for (size_t k = 0; k < sizeof promises / sizeof *promises; k++)
-            keep(&promises[k], "small integers", n, &p);
-    }
-}
-END_TEST
-
-/** Distance from the surface at time t in eps (sigma + |v| t). */
-static double gap(const pair_case *p, double t)
-{
-    mpfr_t ff, x;
-    mpfr_inits2(ORACLE_BITS, ff, x, (mpfr_ptr)0);
-    mpfr_set_zero(ff, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(x, p->r[i], ORACLE_N);
-        oracle_add(x, 1, p->v[i], t);
-        mpfr_sqr(x, x, ORACLE_N);
-        mpfr_add(ff, ff, x, ORACLE_N);
-    }
-    mpfr_sqrt(ff, ff, ORACLE_N);
-    mpfr_sub_d(ff, ff, p->sigma, ORACLE_N);
-    double distance = fabs(mpfr_get_d(ff, ORACLE_N));
-    mpfr_clears(ff, x, (mpfr_ptr)0);
-    return distance / (0x1p-52 * (p->sigma + length_of(p->v) * t));
-}
-
-/** Whether the closest approach is farther from the surface than `eps` of its
- * size. */
-static int clear_of_the_rim(const pair_case *p, double eps)
-{
-    oracle_path q;
-    oracle_path_make(&q, p->r, p->v, p->sigma);
-    mpfr_mul_d(q.a, q.a, p->sigma * p->sigma, ORACLE_N);
-    mpfr_div(q.d, q.d, q.a, ORACLE_N);
-    int clear = fabs(mpfr_get_d(q.d, ORACLE_N)) > eps;
-    oracle_path_clear(&q);
-    return clear;
-}
-
-START_TEST(fast_times_lie_on_the_surface)
-{
-    static const int at_scale_one[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 14};
-    const pair_family *family = &pair_families[at_scale_one[_i]];
-    stream s = {SEED};
-    pair_case p;
-    mpfr_t exact;
-    mpfr_init2(exact, ORACLE_BITS);
-    for (int i = 0; i < CASES_A_FAMILY; i++) {
-        family->make(&s, &p);
-        double in = brink_intersection_time_fast(p.r, p.v, p.sigma);
-        oracle_intersection(exact, p.r, p.v, p.sigma);
-        if (in > 0 && isfinite(in) && gap(&p, in) > BRINK_EVENT_TIME_GAP)
-            report("intersection_fast", family->name, i, &p, in, exact);
-        // An event is missed or invented only where the path grazes: d is known
-        // to some ten eps of sigma^2 |v|^2.
-        if (isinf(in) != mpfr_inf_p(exact) && clear_of_the_rim(&p, 0x1p-48) &&
-            brink_ball_overlap_sign(p.r, p.sigma) > 0)
-            report("intersection_fast", family->name, i, &p, in, exact);
-
-        double out = brink_disjoint_time_fast(p.r, p.v, p.sigma);
-        oracle_disjoint(exact, p.r, p.v, p.sigma);
-        if (brink_ball_overlap_sign(p.r, p.sigma) < 0 &&
-            gap(&p, out) > BRINK_EVENT_TIME_GAP)
-            report("disjoint_fast", family->name, i, &p, out, exact);
-    }
-    mpfr_clear(exact);
-}
-END_TEST
-
-/** A particle and a plane. */
-static void keep_halfspace(const char *family, int i, const double r[3],
-                           const double v[3], const double n[3],
-                           const double c[3])
-{
-    mpfr_t exact;
-    mpfr_init2(exact, ORACLE_BITS);
-    oracle_halfspace(exact, r, v, n, c);
-    double t = brink_halfspace_time(r, v, n, c);
-    if (t != mpfr_get_d(exact, ORACLE_N) || signbit(t))
-        ck_abort_msg("%s %d (seed %d): r %a %a %a  v %a %a %a\n"
-                     "n %a %a %a  c %a %a %a\ngot %a, exact %a",
-                     family, i, SEED, r[0], r[1], r[2], v[0], v[1], v[2], n[0],
-                     n[1], n[2], c[0], c[1], c[2], t,
-                     mpfr_get_d(exact, ORACLE_N));
-    mpfr_clear(exact);
-}
-
-START_TEST(a_plane_is_met_when_it_is)
-{
-    static const double origin[3] = {0, 0, 0};
-    stream s = {SEED};
-    for (int i = 0; i < PAIR_FAMILIES * CASES_A_FAMILY / 2; i++) {
-        pair_case p, q;
-        const pair_family *family = &pair_families[i % PAIR_FAMILIES];
-        family->make(&s, &p);
-        family->make(&s, &q);
-        keep_halfspace(family->name, i, p.r, p.v, q.v, q.r);
-        // n.r and n.v as small as a family's r.v may be
-        keep_halfspace(family->name, i, p.r, q.v, p.v, origin);
-        keep_halfspace(family->name, i, q.r, p.r, p.v, origin);
-    }
-}
-END_TEST
-
 static time_kernel *const all_kernels[] = {
     brink_intersection_time,      brink_disjoint_time,
     brink_intersection_time_fast, brink_disjoint_time_fast,
@@ -216,6 +105,8 @@ START_TEST(nothing_that_is_not_a_number_is_answered)
     const double r[3] = {2, 0, 0}, in[3] = {-1, 0, 0}, out[3] = {1, 0, 0};
     ck_assert(isnan(all_kernels[_i](r, in, -1)));
     ck_assert(isnan(all_kernels[_i](r, out, -0x1p-1074)));
+    const double inside[3] = {0.5, 0, 0};
+    ck_assert(isnan(all_kernels[_i](inside, out, -1)));
 }
 END_TEST
 
@@ -268,7 +159,7 @@ END_TEST
 
 START_TEST(the_printed_algorithm_2_would_say_now)
 {
-    // a = 1, b = -1, c = 0: -c / (sqrt(b^2 - a c) + b) = -0 / 0.  The answer
+    // a = 1, b = -1, c = 0: -c / (sqrt(b^2 - a c) + b) = -0 / 0, and the answer
     // is 2.
     const double r[3] = {1, 0, 0}, v[3] = {-1, 0, 0};
     ck_assert_double_eq(brink_disjoint_time(r, v, 1), 2);
@@ -312,9 +203,6 @@ int main(void)
     tcase_add_loop_test(accuracy, every_promise_is_kept_on_every_family, 0,
                         PAIR_FAMILIES);
     tcase_add_test(accuracy, every_promise_is_kept_on_the_hard_cases);
-    tcase_add_test(accuracy, every_promise_is_kept_on_all_small_integers);
-    tcase_add_loop_test(accuracy, fast_times_lie_on_the_surface, 0, 13);
-    tcase_add_test(accuracy, a_plane_is_met_when_it_is);
     tcase_add_loop_test(accuracy, never_negative_and_never_not_a_number, 0,
                         KERNELS);
     suite_add_tcase(suite, accuracy);

@@ -120,8 +120,7 @@ END_TEST
 
 START_TEST(what_is_told_is_the_nearest_double)
 {
-    // Values within 2^-70 of x.hi + x.lo: both ends must round to x.hi if it is
-    // told.
+    // If it is told, x.hi + x.lo moved by 2^-70 either way rounds to x.hi.
     stream s = {SEED};
     mpfr_t z, slack;
     mpfr_inits2(ORACLE_BITS, z, slack, (mpfr_ptr)0);
@@ -151,11 +150,34 @@ END_TEST
 
 START_TEST(moderate_is_what_it_says)
 {
-    ck_assert(is_moderate(0x1p-400) && is_moderate(1) && is_moderate(0x1.8p499));
-    ck_assert(!is_moderate(0x1.fffffffffffffp-401) && !is_moderate(0x1p500));
+    ck_assert(is_moderate(0x1p-512) && is_moderate(1) && is_moderate(0x1.8p511));
+    ck_assert(!is_moderate(0x1.fffffffffffffp-513) && !is_moderate(0x1p512));
     ck_assert(!is_moderate(0) && !is_moderate(-1) &&
               !is_moderate((double)INFINITY));
     ck_assert(!is_moderate((double)NAN) && !is_moderate(-(double)NAN));
+    ck_assert(are_moderate(1, 0x1p-512, 0x1p511));
+    ck_assert(!are_moderate(0x1p512, 1, 1) && !are_moderate(1, 0, 1) &&
+              !are_moderate(1, 1, (double)NAN));
+}
+END_TEST
+
+START_TEST(choices_are_what_they_say)
+{
+    static const double x[] = {-(double)INFINITY, -1, -0x1p-1074, 0, 1,
+                               (double)INFINITY};
+    const double none = (double)NAN;
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            ck_assert(larger(x[i], x[j]) == x[i > j ? i : j]);
+            ck_assert(smaller(x[i], x[j]) == x[i < j ? i : j]);
+        }
+        ck_assert(larger(none, x[i]) == x[i] && smaller(none, x[i]) == x[i]);
+        ck_assert(isnan(larger(x[i], none)) && isnan(smaller(x[i], none)));
+        ck_assert(if_negative(x[i], 2, none) == 2 || x[i] >= 0);
+        ck_assert(if_negative(x[i], none, 3) == 3 || x[i] < 0);
+        ck_assert(x[i] == 0 || sign_of(x[i]) == (x[i] > 0 ? 1 : -1));
+    }
+    ck_assert(if_negative(-0.0, 2, 3) == 2); // by the sign bit
 }
 END_TEST
 
@@ -172,8 +194,7 @@ END_TEST
 
 START_TEST(nothing_is_contracted)
 {
-    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; with a fused operation 2^-54
-    // is left.
+    // a b = 1 + 2^-26 + 2^-54 rounds to 1 + 2^-26; fused, 2^-54 is left.
     volatile double a = 1 + 0x1p-27, c = -(1 + 0x1p-26);
     double left = a * a + c;
     ck_assert_double_eq(left, 0);
@@ -187,5 +208,6 @@ int main(void)
         "exact", 300, sums_of_two_doubles_are_exact,
         products_of_two_doubles_are_exact, double_doubles_keep_their_bounds,
         what_is_told_is_the_nearest_double, moderate_is_what_it_says,
-        common_exponents_bring_the_largest_to_one, nothing_is_contracted);
+        choices_are_what_they_say, common_exponents_bring_the_largest_to_one,
+        nothing_is_contracted);
 }

@@ -22,8 +22,7 @@ INLINED REAL NAME(positive)(REAL x)
     return x > 0 ? x : 0;
 }
 
-// --- Quadratics
-// ----------------------------------------------------------------------
+// --- Quadratics ----------------------------------------------------------------
 
 /** The roots for d = b^2 - 4 a c. */
 INLINED int NAME(roots_for)(double a, double b, double c, REAL d, double *x0,
@@ -49,8 +48,7 @@ FORMULA int NAME(roots)(double a, double b, double c, double *x0, double *x1)
     return NAME(roots_for)(a, b, c, (REAL)b * b - 4 * (REAL)a * c, x0, x1);
 }
 
-// --- Event times
-// ---------------------------------------------------------------------
+// --- Event times ---------------------------------------------------------------
 
 /** [S16] algorithm 1 from its a, b, c and arg. */
 INLINED double NAME(intersection_for)(REAL b, REAL c, REAL arg)
@@ -98,8 +96,7 @@ FORMULA double NAME(halfspace_time)(const double r[3], const double v[3],
     return rate < 0 ? (double)NAME(positive)(f / -rate) : (double)INFINITY;
 }
 
-// --- Overlaps
-// ------------------------------------------------------------------------
+// --- Overlaps ------------------------------------------------------------------
 
 FORMULA double NAME(ball)(const double r[3], double sigma)
 {
@@ -153,8 +150,7 @@ FORMULA double NAME(halfspace_at)(const double r[3], const double v[3],
     return (double)f;
 }
 
-// --- Impulses
-// ------------------------------------------------------------------------
+// --- Impulses ------------------------------------------------------------------
 
 /** b = r.(v1 - v2) changed along the line of centres; the virial. */
 INLINED REAL NAME(kick)(const double r[3], double m1, double m2, REAL change,
@@ -196,6 +192,29 @@ FORMULA int NAME(step)(const double r[3], double m1, double m2, double rise,
         change = s > 0 ? -loss / (SQRT(rest) + s) : SQRT(rest) - s;
     *virial = (double)NAME(kick)(r, m1, m2, way * change, v1, v2);
     return rest > 0;
+}
+
+/** The rim rule of <brink/impulse.h>. */
+FORMULA int NAME(rim)(const double r[3], double m1, double m2, double v1[3],
+                      double v2[3])
+{
+    REAL v[3];
+    for (int i = 0; i < 3; i++)
+        v[i] = (REAL)v1[i] - v2[i];
+    const REAL b = r[0] * v[0] + r[1] * v[1] + r[2] * v[2];
+    const REAL rr = NAME(dot)(r, r), vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const REAL rim = BRINK_RIM_ANGLE * SQRT(rr * vv);
+    if (b <= -rim || b >= rim)
+        return 0;
+    const REAL stretch = SQRT((vv - rim * rim / rr) / (vv - b * b / rr));
+    const REAL mass = (REAL)m1 + m2;
+    for (int i = 0; i < 3; i++) {
+        const REAL tangent = v[i] - b / rr * r[i];
+        const REAL w = stretch * tangent - rim / rr * r[i] - v[i];
+        v1[i] = (double)(v1[i] + m2 / mass * w);
+        v2[i] = (double)(v2[i] - m1 / mass * w);
+    }
+    return 1;
 }
 #undef FORMULA
 #undef INLINED

@@ -52,7 +52,7 @@ void measure_free(sample *s)
 static void judge_all(const problem *p, const method *m, const inputs *in,
                       const truth *truths, const answers *out, sample *s)
 {
-    judge_of *const judge = m->rank == RANK_SIGN ? p->judge_sign : p->judge;
+    judge_of *const judge = rank_is_sign(m->rank) ? p->judge_sign : p->judge;
     const int by = m->bound_measure; // the worst are found by what is promised
     double bad[MEASURE_WORST] = {0};
     for (int i = 0; i < in->n; i++) {

@@ -165,10 +165,11 @@ START_TEST(every_method_of_ours_keeps_its_promise)
             for (int k = 0; k < problems[i]->methods; k++) {
                 const method *m = &problems[i]->method[k];
                 sample s;
-                if (m->rank >= RANK_FORMULA || m->rank == RANK_FAST)
+                if (m->rank > RANK_SIGN)
                     continue;
                 ck_assert_int_eq(measure(problems[i], k, 1, f, 200, 3, &s), 0);
-                if (measure_wrong(&s) > 0 ||
+                // _fast may answer either way at the rim, as its bound says.
+                if ((m->rank != RANK_FAST && measure_wrong(&s) > 0) ||
                     (m->bound > 0 &&
                      measure_quantile(&s, m->bound_measure, 1) > m->bound))
                     ck_abort_msg(

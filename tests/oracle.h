@@ -3,15 +3,15 @@
 #define TESTS_ORACLE_H
 /**
  * What is right, by MPFR with so many bits that sums and products of doubles are
- * exact. One more square root and division are rounded, to 9000 bits: a tie
+ * exact.  One more square root and division are rounded, to 9000 bits: a tie
  * between two doubles is a rational number with few bits and comes out exact, and
  * nothing else is as near to one as 2^-8900.
  */
 #include <math.h>
 #include <mpfr.h>
 
-// A product of four doubles lies between 2^-4296 and 2^4096: 8392 bits, and some
-// for sums.
+// A product of four doubles lies between 2^-4296 and 2^4096: 8392 bits, and then
+// some for sums.
 #ifndef ORACLE_BITS // the same with fewer bits is a rival: see rivals.h
 #define ORACLE_BITS 9000
 #endif
@@ -128,8 +128,7 @@ static inline void oracle_halfspace(mpfr_t t, const double r[3],
     mpfr_clear(rate);
 }
 
-/** Number of real roots of a x^2 + b x + c as brink_quadratic_roots counts them.
- */
+/** The real roots of a x^2 + b x + c, counted as brink_quadratic_roots does. */
 static inline int oracle_roots(mpfr_t x0, mpfr_t x1, double a, double b, double c)
 {
     if (a == 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cases.h"
-#include "oracle.h"
+#include "oracle_overlap.h"
 #include "pairs.h"
 #include "suite.h"
 #include <brink/overlap.h>
@@ -22,38 +22,6 @@ typedef struct quantity {
 } quantity;
 
 static const double zero[3] = {0, 0, 0};
-
-static void exact_ball(mpfr_t f, const scene *s, double t)
-{
-    mpfr_t x;
-    mpfr_init2(x, ORACLE_BITS);
-    mpfr_set_zero(f, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(x, s->p.r[i], ORACLE_N);
-        oracle_add(x, 1, s->p.v[i], t);
-        mpfr_sqr(x, x, ORACLE_N);
-        mpfr_add(f, f, x, ORACLE_N);
-    }
-    oracle_add(f, -1, s->p.sigma, s->p.sigma);
-    mpfr_clear(x);
-}
-
-/** n.(r + v t - c) */
-static void exact_plane(mpfr_t f, const double n[3], const double r[3],
-                        const double v[3], const double c[3], double t)
-{
-    mpfr_t x;
-    mpfr_init2(x, ORACLE_BITS);
-    mpfr_set_zero(f, 1);
-    for (int i = 0; i < 3; i++) {
-        mpfr_set_d(x, r[i], ORACLE_N);
-        oracle_add(x, 1, v[i], t);
-        mpfr_sub_d(x, x, c[i], ORACLE_N);
-        mpfr_mul_d(x, x, n[i], ORACLE_N);
-        mpfr_add(f, f, x, ORACLE_N);
-    }
-    mpfr_clear(x);
-}
 
 #define QUANTITY(name, value_call, sign_call, exact_call)                        \
     static double name##_value(const scene *s)                                   \
@@ -77,22 +45,23 @@ static void exact_plane(mpfr_t f, const double n[3], const double r[3],
 #define T     s->t
 
 QUANTITY(ball, brink_ball_overlap(R, SIGMA), brink_ball_overlap_sign(R, SIGMA),
-         exact_ball(f, s, 0))
+         oracle_ball(f, R, V, SIGMA, 0))
 QUANTITY(ball_rate, brink_ball_overlap_rate(R, V),
-         brink_ball_overlap_rate_sign(R, V), exact_plane(f, V, R, zero, zero, 0))
+         brink_ball_overlap_rate_sign(R, V), oracle_plane(f, R, zero, V, zero, 0))
 QUANTITY(ball_at, brink_ball_overlap_at(R, V, SIGMA, T),
-         brink_ball_overlap_sign_at(R, V, SIGMA, T), exact_ball(f, s, T))
+         brink_ball_overlap_sign_at(R, V, SIGMA, T),
+         oracle_ball(f, R, V, SIGMA, T))
 QUANTITY(ball_rate_at, brink_ball_overlap_rate_at(R, V, T),
          brink_ball_overlap_rate_sign_at(R, V, T),
-         exact_plane(f, V, R, V, zero, T))
+         oracle_plane(f, R, V, V, zero, T))
 QUANTITY(halfspace, brink_halfspace_overlap(R, N, C),
-         brink_halfspace_overlap_sign(R, N, C), exact_plane(f, N, R, zero, C, 0))
+         brink_halfspace_overlap_sign(R, N, C), oracle_plane(f, R, zero, N, C, 0))
 QUANTITY(halfspace_rate, brink_halfspace_overlap_rate(V, N),
          brink_halfspace_overlap_rate_sign(V, N),
-         exact_plane(f, N, V, zero, zero, 0))
+         oracle_plane(f, V, zero, N, zero, 0))
 QUANTITY(halfspace_at, brink_halfspace_overlap_at(R, V, N, C, T),
          brink_halfspace_overlap_sign_at(R, V, N, C, T),
-         exact_plane(f, N, R, V, C, T))
+         oracle_plane(f, R, V, N, C, T))
 
 #define QUANTITY_OF(name)                                                        \
     {                                                                            \
@@ -180,8 +149,7 @@ END_TEST
 START_TEST(perpendicular_is_neither_coming_nor_going)
 {
     stream random = {SEED};
-    for (int i = 0; i < 10000;
-         i++) { // r x (r x v), in whole numbers: exactly perpendicular
+    for (int i = 0; i < 10000; i++) { // (a, b, ab).(b, -a, 0) = 0
         double a = stream_int(&random, -30000, 30000),
                b = stream_int(&random, -30000, 30000);
         const double r[3] = {a, b, a * b}, v[3] = {b, -a, 0};
@@ -205,9 +173,108 @@ START_TEST(touching_is_zero)
 }
 END_TEST
 
+/** Three whole numbers up to +-most, and times 2^e; what is left of n. */
+static int whole_vector(int n, int most, int e, int x[3], double y[3])
+{
+    for (int i = 0; i < 3; i++, n /= 2 * most + 1) {
+        x[i] = n % (2 * most + 1) - most;
+        y[i] = ldexp(x[i], e);
+    }
+    return n;
+}
+
+/** Whether f has that sign and, where it is not scaled, that value. */
+static int is_whole(int f, int sign, int e, double value)
+{
+    const double ulp = nextafter(abs(f), (double)INFINITY) - abs(f);
+    return sign == (f > 0) - (f < 0) &&
+           (e != 0 || fabs(value - f) <= (f == 0 ? 0 : BRINK_OVERLAP_ULP * ulp));
+}
+
+// Products underflow to nothing at 2^-1074, lose their last bits at 2^-538, and
+// overflow at 2^1000.
+static const int scales[] = {0, -1074, -538, 1000};
+
+START_TEST(all_small_whole_balls_are_right)
+{
+    const int e = scales[_i];
+    for (int n = 0; n < 125 * 27 * 5 * 5; n++) {
+        int r[3], v[3], f = 0, rate = 0, rate_at = 0;
+        double x[3], y[3];
+        int rest = whole_vector(n, 2, e, r, x);
+        rest = whole_vector(rest, 1, e, v, y);
+        const int sigma = rest % 5, t = rest / 5 - 2;
+        for (int k = 0; k < 3; k++) {
+            f += (r[k] + v[k] * t) * (r[k] + v[k] * t);
+            rate += r[k] * v[k];
+            rate_at += (r[k] + v[k] * t) * v[k];
+        }
+        f -= sigma * sigma;
+        const double s = ldexp(sigma, e);
+        int good = is_whole(f, brink_ball_overlap_sign_at(x, y, s, t), e,
+                            brink_ball_overlap_at(x, y, s, t));
+        good = good && is_whole(rate, brink_ball_overlap_rate_sign(x, y), e,
+                                brink_ball_overlap_rate(x, y));
+        good = good && is_whole(rate_at, brink_ball_overlap_rate_sign_at(x, y, t),
+                                e, brink_ball_overlap_rate_at(x, y, t));
+        if (t == 0)
+            good = good && is_whole(f, brink_ball_overlap_sign(x, s), e,
+                                    brink_ball_overlap(x, s));
+        if (!good)
+            ck_abort_msg("2^%d: r %d %d %d  v %d %d %d  sigma %d  t %d", e, r[0],
+                         r[1], r[2], v[0], v[1], v[2], sigma, t);
+    }
+}
+END_TEST
+
+START_TEST(all_small_whole_half_spaces_are_right)
+{
+    const int e = scales[_i];
+    for (int m = 0; m < 27 * 27 * 27 * 27; m++) {
+        int r[3], v[3], n[3], c[3], f = 0, rate = 0, at = 0;
+        double x[3], y[3], normal[3], place[3];
+        int rest = whole_vector(m, 1, e, r, x);
+        rest = whole_vector(rest, 1, e, v, y);
+        rest = whole_vector(rest, 1, 0, n, normal);
+        whole_vector(rest, 1, e, c, place);
+        for (int k = 0; k < 3; k++) {
+            f += n[k] * (r[k] - c[k]);
+            rate += n[k] * v[k];
+            at += n[k] * (r[k] + 2 * v[k] - c[k]);
+        }
+        int good = is_whole(f, brink_halfspace_overlap_sign(x, normal, place), e,
+                            brink_halfspace_overlap(x, normal, place));
+        good =
+            good && is_whole(rate, brink_halfspace_overlap_rate_sign(y, normal),
+                             e, brink_halfspace_overlap_rate(y, normal));
+        good =
+            good &&
+            is_whole(at, brink_halfspace_overlap_sign_at(x, y, normal, place, 2),
+                     e, brink_halfspace_overlap_at(x, y, normal, place, 2));
+        if (!good)
+            ck_abort_msg("2^%d: r %d %d %d  v %d %d %d  n %d %d %d  c %d %d %d",
+                         e, r[0], r[1], r[2], v[0], v[1], v[2], n[0], n[1], n[2],
+                         c[0], c[1], c[2]);
+    }
+}
+END_TEST
+
 int main(void)
 {
-    return RUN_SUITE("overlap", 600, signs_are_exact_and_values_within_the_bound,
-                     hard_cases_are_right,
-                     perpendicular_is_neither_coming_nor_going, touching_is_zero);
+    Suite *suite = suite_create("overlap");
+    TCase *all = tcase_create("all");
+    const int count = sizeof scales / sizeof *scales;
+    tcase_set_timeout(all, 600);
+    tcase_add_test(all, signs_are_exact_and_values_within_the_bound);
+    tcase_add_test(all, hard_cases_are_right);
+    tcase_add_test(all, perpendicular_is_neither_coming_nor_going);
+    tcase_add_test(all, touching_is_zero);
+    tcase_add_loop_test(all, all_small_whole_balls_are_right, 0, count);
+    tcase_add_loop_test(all, all_small_whole_half_spaces_are_right, 0, count);
+    suite_add_tcase(suite, all);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
 }

@@ -3,7 +3,7 @@
 #define TESTS_PAIRS_H
 /**
  * Families of pairs: what a kernel meets in a simulation, and what breaks
- * kernels. Shared by the tests, the ulp tool and the bench.
+ * kernels.  Shared by the tests, the ulp tool and the bench.
  */
 #include "random.h"
 #include <string.h>
@@ -96,8 +96,7 @@ static inline void family_grazing(stream *s, pair_case *p)
     p->sigma = stream_near(s, 1, 2);
 }
 
-/** Grazing inside the rim at r = sigma (1 + a few ulp), hardly moving outward or
- * in. */
+/** On the rim at r = sigma (1 + a few ulp), hardly moving outward or inward. */
 static inline void family_rim(stream *s, pair_case *p)
 {
     family_grazing(s, p);
@@ -126,8 +125,8 @@ static inline void family_axial(stream *s, pair_case *p)
         p->v[axis] = stream_scaled(s, -80, -10);
 }
 
-/** Small integers: exact contacts, tangents, r = 0, v = 0 and sigma = 0 among
- * them. */
+/** Small integers, exact contacts, tangents, r = 0, v = 0, sigma = 0 among
+ *  them. */
 static inline void family_integers(stream *s, pair_case *p)
 {
     for (int i = 0; i < 3; i++) {
@@ -137,8 +136,8 @@ static inline void family_integers(stream *s, pair_case *p)
     p->sigma = stream_int(s, 0, 7);
 }
 
-/** Exact tangents in integers: r = back v + a vector perpendicular to v of whole
- * length. */
+/** Exact tangents in integers: r = a vector of whole length perpendicular to v,
+ *  less back v. */
 static inline void family_tangent(stream *s, pair_case *p)
 {
     double m = stream_int(s, 1, 4096), n = stream_int(s, 1, 4096);
@@ -153,8 +152,7 @@ static inline void family_tangent(stream *s, pair_case *p)
         p->sigma = stream_near(s, p->sigma, 1);
 }
 
-/** On a line: the time is (r - sigma) / v, which can be a tie between two
- * doubles. */
+/** On a line: the time, (r - sigma) / v, can be a tie between two doubles. */
 static inline void family_line(stream *s, pair_case *p)
 {
     memset(p, 0, sizeof *p);
@@ -235,6 +233,100 @@ static inline void family_passing(stream *s, pair_case *p)
     p->sigma = stream_real(s, 0.1, 0.99);
 }
 
+/** Moving all but along the surface, at any distance from it: r.v is next to
+ *  nothing beside |r| |v|, or nothing but what its rounded sum leaves over. */
+static inline void family_sideways(stream *s, pair_case *p)
+{
+    fill_normal(s, p->r, 1);
+    fill_normal(s, p->v, 1);
+    double b = p->r[0] * p->v[0] + p->r[1] * p->v[1] + p->r[2] * p->v[2];
+    double rr = p->r[0] * p->r[0] + p->r[1] * p->r[1] + p->r[2] * p->r[2];
+    double rest = stream_scaled(s, -70, -2);
+    for (int i = 0; i < 3; i++)
+        p->v[i] += (rest - b / rr) * p->r[i];
+    p->sigma = sqrt(rr) * (1 + stream_scaled(s, -54, -1));
+}
+
+/** As cancelling, but far from the sphere, so that b is the time's numerator. */
+static inline void family_missing(stream *s, pair_case *p)
+{
+    family_cancelling(s, p);
+    p->sigma *= stream_real(s, 0.1, 0.9);
+}
+
+/** One coordinate closes the gap that the others leave to sigma^2, but for 2^-108
+ *  to 2^-45 of it, of either sign. */
+static inline void family_closing(stream *s, pair_case *p)
+{
+    const int first = stream_int(s, 0, 2);
+    p->sigma = stream_real(s, 1, 2);
+    const double x = 0.9 * fabs(stream_scaled(s, -12, 0));
+    const double y = nextafter(sqrt(fma(p->sigma, p->sigma, -x * x)), 0);
+    const double ss = p->sigma * p->sigma, xx = x * x, yy = y * y;
+    // What is left over, to 64 bits: differences of the leading parts are exact.
+    const long double low_ss = (long double)fma(p->sigma, p->sigma, -ss);
+    const long double low_xx = (long double)fma(x, x, -xx);
+    const long double low_yy = (long double)fma(y, y, -yy);
+    const long double gap =
+        (long double)(ss - xx - yy) + (low_ss - low_xx - low_yy);
+    p->r[first] = x * stream_sign(s);
+    p->r[(first + 1) % 3] = y * stream_sign(s);
+    const long double beyond = gap + (long double)stream_scaled(s, -108, -45);
+    p->r[(first + 2) % 3] = (double)sqrtl(fabsl(beyond));
+    fill_normal(s, p->v, 1);
+}
+
+/** Just outside, or inside, and so nearly along the surface that b^2 is not much
+ *  more than a c. */
+static inline void family_skimming(stream *s, pair_case *p)
+{
+    double normal[3];
+    fill_normal(s, normal, 1);
+    resize(normal, 1);
+    fill_normal(s, p->v, 1);
+    double along =
+        p->v[0] * normal[0] + p->v[1] * normal[1] + p->v[2] * normal[2];
+    const double gap = stream_scaled(s, -50, -9); // c = 2 gap, all but
+    for (int i = 0; i < 3; i++) {
+        p->r[i] = (1 + gap) * normal[i];
+        p->v[i] -= along * normal[i];
+    }
+    const double slope = sqrt(2 * fabs(gap) * stream_real(s, 0.9, 3));
+    const double speed = length_of(p->v), way = stream_int(s, 0, 3) ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        p->v[i] += way * slope * speed * normal[i];
+    p->sigma = 1;
+}
+
+/** x y + z w, when that cancels: to a few ulp. */
+static inline double two_products(double x, double y, double z, double w)
+{
+    double p = x * y, q = z * w;
+    return (p + q) + (fma(x, y, -p) + fma(z, w, -q));
+}
+
+/** r.v and r.r - sigma^2 cancel to 2^-53 in two of their terms, and what is left
+ *  once more, to some 2^-106: less than sums know that carry their errors. */
+static inline void family_remainder(stream *s, pair_case *p)
+{
+    double *r = p->r, *v = p->v, left;
+    do {
+        r[0] = stream_real(s, 0.25, 1);
+        r[1] = fabs(stream_scaled(s, -20, 0));
+        p->sigma = nextafter(sqrt(r[0] * r[0] + r[1] * r[1]), 4);
+        left = two_products(p->sigma - r[0], p->sigma + r[0], -r[1], r[1]);
+    } while (left <= 0);
+    r[2] = stream_near(s, sqrt(left), 2);
+    v[0] = stream_real(s, 0.5, 1) * stream_sign(s);
+    v[1] = -r[0] * v[0] / r[1];
+    v[2] = stream_near(s, -two_products(r[0], v[0], r[1], v[1]) / r[2], 2);
+    int way = stream_int(s, 0, 3); // one of the two alone, or both
+    if (way == 0)
+        fill_normal(s, v, 1);
+    if (way == 1)
+        p->sigma *= 1 - fabs(stream_scaled(s, -40, 0));
+}
+
 /** Where squares, products or the answer are on the edge of underflow. */
 static inline void family_edge(stream *s, pair_case *p)
 {
@@ -284,6 +376,11 @@ static const pair_family pair_families[] = {
     {"cancelling", family_cancelling},
     {"passing", family_passing},
     {"edge", family_edge},
+    {"sideways", family_sideways},
+    {"missing", family_missing},
+    {"closing", family_closing},
+    {"skimming", family_skimming},
+    {"remainder", family_remainder},
 };
 enum { PAIR_FAMILIES = sizeof pair_families / sizeof *pair_families };
 #endif

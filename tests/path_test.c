@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every path gives the same bits: each is called by
-// name, where the library has it and the processor can, and compared with the
-// path that has neither vectors nor fma() in
-// hardware.  A compiler that contracted a * b + c would be seen here too.
+// Every path gives the same bits: each is called by name, where the library has
+// it and the processor can, and compared with the path that has neither vectors
+// nor fma() in hardware.  A compiler that contracted a * b + c would show, too.
 #include "pairs.h"
+#include "paths.h"
 #include "quadratics.h"
 #include "suite.h"
 #include <brink/event_time.h>
@@ -19,14 +19,13 @@ typedef double wall_time(const double r[3], const double v[3], const double n[3]
 typedef int step(const double r[3], double m1, double m2, double rise,
                  enum brink_direction way, double v1[3], double v2[3],
                  double *virial);
+typedef double core(const double r[3], double m1, double m2, double v1[3],
+                    double v2[3]);
+typedef int rim(const double r[3], double m1, double m2, double v1[3],
+                double v2[3]);
 typedef void times(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
-
-// Weak: a build for another processor has one path only, under the plain names.
-#define PATHS_OF(type, name)                                                     \
-    extern type name##_any __attribute__((weak)),                                \
-        name##_fma __attribute__((weak)), name##_avx512 __attribute__((weak));
 
 PATHS_OF(roots, brink_quadratic_roots)
 PATHS_OF(roots, brink_quadratic_roots_cr)
@@ -40,43 +39,18 @@ PATHS_OF(pair_time, brink_disjoint_time_cr)
 PATHS_OF(pair_time, brink_disjoint_time_slow)
 PATHS_OF(wall_time, brink_halfspace_time)
 PATHS_OF(step, brink_step_impulse)
+PATHS_OF(core, brink_core_impulse)
+PATHS_OF(rim, brink_rim_impulse)
 PATHS_OF(times, brink_intersection_times)
 PATHS_OF(times, brink_intersection_times_fast)
 PATHS_OF(times, brink_disjoint_times)
 PATHS_OF(times, brink_disjoint_times_fast)
 
-#define PATHS(name)                                                              \
-    {                                                                            \
-        name##_any, name##_fma, name##_avx512                                    \
-    }
-
-/** Whether path 1 (fma) or 2 (avx512) can be tried; path 0 is what they must
- *  equal. */
-static int can_try(int path)
-{
-    if (brink_quadratic_roots_any == NULL)
-        return 0;
-#ifdef __x86_64__
-    int fma = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    int avx512 = __builtin_cpu_supports("avx512f") &&
-                 __builtin_cpu_supports("avx512dq") &&
-                 __builtin_cpu_supports("avx512vl");
-    return path == 1 ? fma : fma && avx512;
-#else
-    return 0 * path;
-#endif
-}
-
-static int same(double x, double y)
-{
-    return memcmp(&x, &y, sizeof x) == 0 || (isnan(x) && isnan(y));
-}
-
 START_TEST(roots_are_the_same_on_every_path)
 {
     roots *const kernels[2][3] = {PATHS(brink_quadratic_roots),
                                   PATHS(brink_quadratic_roots_cr)};
-    for (int path = 1; path < 3 && can_try(path); path++)
+    for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++)
         for (int f = 0; f < QUADRATIC_FAMILIES; f++) {
             stream s = {SEED};
             quadratic_case q;
@@ -105,7 +79,7 @@ START_TEST(times_are_the_same_on_every_path)
         PATHS(brink_disjoint_time_cr),     PATHS(brink_disjoint_time_slow),
     };
     wall_time *const wall[3] = PATHS(brink_halfspace_time);
-    for (int path = 1; path < 3 && can_try(path); path++)
+    for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++)
         for (int f = 0; f < PAIR_FAMILIES; f++) {
             stream s = {SEED};
             pair_case p, q;
@@ -132,7 +106,7 @@ START_TEST(batches_are_the_same_on_every_path)
     times *const kernels[][3] = {
         PATHS(brink_intersection_times), PATHS(brink_intersection_times_fast),
         PATHS(brink_disjoint_times), PATHS(brink_disjoint_times_fast)};
-    for (int path = 1; path < 3 && can_try(path); path++)
+    for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++)
         for (int f = 0; f < PAIR_FAMILIES; f++) {
             stream s = {SEED};
             for (int i = 0; i < CASES_A_FAMILY; i++) {
@@ -160,26 +134,49 @@ START_TEST(batches_are_the_same_on_every_path)
 }
 END_TEST
 
+/** The step, the core and the rim one after the other: what they answer and leave
+ *  in the velocities. */
+static void impulses(int path, const double r[3], double m1, double m2,
+                     double rise, double y[15])
+{
+    step *const at_step[] = PATHS(brink_step_impulse);
+    core *const at_core[] = PATHS(brink_core_impulse);
+    rim *const at_rim[] = PATHS(brink_rim_impulse);
+    double *v1 = y, *v2 = y + 3, v3[3], v4[3];
+    memcpy(v3, v1, sizeof v3);
+    memcpy(v4, v2, sizeof v4);
+    const enum brink_direction way = rise > 0 ? BRINK_INWARD : BRINK_OUTWARD;
+    y[6] = at_step[path](r, m1, m2, rise, way, v1, v2, &y[7]);
+    y[8] = at_rim[path](r, m1, m2, v1, v2);
+    y[9] = at_core[path](r, m1, m2, v3, v4);
+    for (int k = 0; k < 3; k++)
+        y[10 + k] = v3[k] - v4[k];
+    y[13] = v3[0];
+    y[14] = v4[0];
+}
+
 START_TEST(impulses_are_the_same_on_every_path)
 {
-    step *const kernels[3] = PATHS(brink_step_impulse);
-    for (int path = 1; path < 3 && can_try(path); path++) {
+    static void (*const make[])(stream *, pair_case *) = {
+        family_contact, family_rim, family_grazing, family_axial};
+    for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++) {
         stream s = {SEED};
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             pair_case p;
-            family_contact(&s, &p);
-            double m1 = stream_real(&s, 1, 2), m2 = stream_scaled(&s, -30, 30),
-                   w[2];
-            double v1[2][3], v2[2][3] = {{0}};
-            memcpy(v1[0], p.v, sizeof p.v);
-            memcpy(v1[1], p.v, sizeof p.v);
-            double rise = stream_real(&s, -1, 1);
-            for (int k = 0; k < 2; k++)
-                kernels[k * path](p.r, m1, fabs(m2), rise, BRINK_INWARD, v1[k],
-                                  v2[k], &w[k]);
-            ck_assert(same(w[0], w[1]));
-            ck_assert(memcmp(v1[0], v1[1], sizeof v1[0]) == 0);
-            ck_assert(memcmp(v2[0], v2[1], sizeof v2[0]) == 0);
+            make[i % 4](&s, &p);
+            const double m1 = stream_real(&s, 1, 2);
+            const double m2 = fabs(stream_scaled(&s, -30, 30));
+            const double rise = stream_real(&s, -1, 1);
+            double y[2][15] = {{p.v[0], p.v[1], p.v[2]},
+                               {p.v[0], p.v[1], p.v[2]}};
+            impulses(0, p.r, m1, m2, rise, y[0]);
+            impulses(path, p.r, m1, m2, rise, y[1]);
+            for (int k = 0; k < 15; k++)
+                if (!same(y[0][k], y[1][k]))
+                    ck_abort_msg("path %d, case %d: %a %a %a  %a %a  %a %a %a  "
+                                 "rise %a: %a and %a",
+                                 path, i, p.r[0], p.r[1], p.r[2], m1, m2, p.v[0],
+                                 p.v[1], p.v[2], rise, y[0][k], y[1][k]);
         }
     }
 }

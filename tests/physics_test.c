@@ -140,8 +140,7 @@ static void hard(const equation *e, const char *scene, double eta,
     const mean z =
         compressibility(&run, settling, suite_share(1000000), &temperature);
     const double expected = corrected(e, eta, &remainder);
-    // N particles differ from infinitely many by about what one more in the box
-    // does.
+    // N particles differ from infinitely many by about what one more would make.
     const double one_more = e->z(eta * (1 + 1 / n)) - e->z(eta);
     snprintf(what, sizeof what, "Z of %g %s at packing %g (uncorrected %.5f)", n,
              e == &spheres ? "spheres" : "discs", eta, e->z(eta));

@@ -3,7 +3,7 @@
 // energy, in ulp of the largest kinetic energy of one of them, and its momentum,
 // in ulp of the largest |m v|.
 #include "arithmetics.h"
-#include "oracle.h"
+#include "oracle_impulse.h"
 #include "pairs.h"
 #include "problems_all.h"
 #include <brink/impulse.h>
@@ -32,8 +32,7 @@ static double rise_for(int k, stream *s, double mu, double b, double vv)
     }
 }
 
-/** On the surface to a few ulp; masses up to 1e12 apart, but in the first family.
- */
+/** On the surface to a few ulp; masses up to 1e12 apart, or equal in EQUAL. */
 static void make(int k, stream *s, double *x)
 {
     fill_normal(s, x + R, 1);
@@ -80,30 +79,31 @@ static void make_core(int k, stream *s, double *x)
     memcpy(x, step, 11 * sizeof *x);
 }
 
-// --- The right answers
-// ---------------------------------------------------------------
+/** On the rim and moving all but along it, by angles about BRINK_RIM_ANGLE. */
+static void make_rim(int k, stream *s, double *x)
+{
+    pair_case p;
+    make_core(k, s, x);
+    family_rim(s, &p);
+    const double scale = length_of(x + V2) / length_of(p.v);
+    const double out = stream_scaled(s, -34, -20) * length_of(p.v);
+    for (int i = 0; i < 3; i++)
+        x[V1 + i] = x[V2 + i] + scale * (p.v[i] + out * p.r[i]);
+    memcpy(x + R, p.r, sizeof p.r);
+}
 
-/** Crossed where m1 m2 b^2 > 2 rise r.r (m1 + m2). */
+// --- The right answers ---------------------------------------------------------
+
+static oracle_pair pair_of(const double *masses, const double *v1,
+                           const double *v2)
+{
+    return (oracle_pair){masses[0], masses[1], v1, v2};
+}
+
 static void solve(const double *x, truth *t)
 {
-    mpfr_t b, rr, mass;
-    mpfr_inits2(ORACLE_BITS, b, rr, mass, (mpfr_ptr)0);
-    mpfr_set_zero(b, 1);
-    mpfr_set_zero(rr, 1);
-    for (int i = 0; i < 3; i++) {
-        oracle_add(b, 1, x[R + i], x[V1 + i]);
-        oracle_add(b, -1, x[R + i], x[V2 + i]);
-        oracle_add(rr, 2, x[R + i], x[R + i]);
-    }
-    mpfr_set_d(mass, x[M1], ORACLE_N);
-    mpfr_add_d(mass, mass, x[M2], ORACLE_N);
-    mpfr_mul(rr, rr, mass, ORACLE_N);
-    mpfr_mul_d(rr, rr, x[RISE], ORACLE_N);
-    mpfr_sqr(b, b, ORACLE_N);
-    mpfr_mul_d(b, b, x[M1], ORACLE_N);
-    mpfr_mul_d(b, b, x[M2], ORACLE_N);
-    t->n = mpfr_cmp(b, rr) > 0;
-    mpfr_clears(b, rr, mass, (mpfr_ptr)0);
+    const oracle_pair p = pair_of(x + M1, x + V1, x + V2);
+    t->n = oracle_crosses(x + R, x[RISE], &p);
 }
 
 static void solve_core(const double *x, truth *t)
@@ -112,75 +112,57 @@ static void solve_core(const double *x, truth *t)
     t->n = 0;
 }
 
-static double ulp_of(double x)
+/** Turned where (r.v)^2 < BRINK_RIM_ANGLE^2 r.r v.v, v = v1 - v2. */
+static void solve_rim(const double *x, truth *t)
 {
-    return nextafter(fabs(x), (double)INFINITY) - fabs(x);
-}
-
-/** z += factor m v.v / 2; returns the kinetic energy. */
-static double add_energy(mpfr_t z, int factor, double m, const double v[3])
-{
-    mpfr_t e;
-    mpfr_init2(e, ORACLE_BITS);
-    mpfr_set_zero(e, 1);
-    for (int i = 0; i < 3; i++)
-        oracle_add(e, 1, v[i], v[i]);
-    mpfr_mul_d(e, e, m / 2, ORACLE_N);
-    const double energy = mpfr_get_d(e, ORACLE_N);
-    mpfr_mul_si(e, e, factor, ORACLE_N);
-    mpfr_add(z, z, e, ORACLE_N);
-    mpfr_clear(e);
-    return energy;
-}
-
-/** y: the velocities afterwards. */
-static double energy_error(const double *x, const double *y, double rise)
-{
-    mpfr_t change;
-    mpfr_init2(change, ORACLE_BITS);
-    mpfr_set_d(change, rise, ORACLE_N);
-    double largest = add_energy(change, -1, x[M1], x + V1);
-    largest = fmax(largest, add_energy(change, -1, x[M2], x + V2));
-    largest = fmax(largest, add_energy(change, 1, x[M1], y));
-    largest = fmax(largest, add_energy(change, 1, x[M2], y + 3));
-    const double error = fabs(mpfr_get_d(change, ORACLE_N)) / ulp_of(largest);
-    mpfr_clear(change);
-    return error;
-}
-
-static double momentum_error(const double *x, const double *y)
-{
-    const double size = fmax(x[M1] * fmax(length_of(x + V1), length_of(y)),
-                             x[M2] * fmax(length_of(x + V2), length_of(y + 3)));
-    double error = 0;
-    mpfr_t change;
-    mpfr_init2(change, ORACLE_BITS);
-    for (int k = 0; k < 3; k++) {
-        mpfr_set_zero(change, 1);
-        oracle_add(change, -1, x[M1], x[V1 + k]);
-        oracle_add(change, -1, x[M2], x[V2 + k]);
-        oracle_add(change, 1, x[M1], y[k]);
-        oracle_add(change, 1, x[M2], y[3 + k]);
-        error = fmax(error, fabs(mpfr_get_d(change, ORACLE_N)) / ulp_of(size));
+    mpfr_t v, b, rr, vv;
+    mpfr_inits2(ORACLE_BITS, v, b, rr, vv, (mpfr_ptr)0);
+    mpfr_set_zero(b, 1);
+    mpfr_set_zero(rr, 1);
+    mpfr_set_zero(vv, 1);
+    for (int i = 0; i < 3; i++) {
+        oracle_add(b, 1, x[R + i], x[V1 + i]);
+        oracle_add(b, -1, x[R + i], x[V2 + i]);
+        oracle_add(rr, 1, x[R + i], x[R + i]);
+        mpfr_set_d(v, x[V1 + i], ORACLE_N);
+        mpfr_sub_d(v, v, x[V2 + i], ORACLE_N);
+        mpfr_sqr(v, v, ORACLE_N);
+        mpfr_add(vv, vv, v, ORACLE_N);
     }
-    mpfr_clear(change);
-    return error;
+    mpfr_mul(rr, rr, vv, ORACLE_N);
+    mpfr_mul_d(rr, rr, BRINK_RIM_ANGLE * BRINK_RIM_ANGLE, ORACLE_N);
+    mpfr_sqr(b, b, ORACLE_N);
+    t->n = mpfr_cmp(b, rr) < 0;
+    mpfr_clears(v, b, rr, vv, (mpfr_ptr)0);
 }
 
-static verdict judge(const double *x, const truth *t, int n, const double *y)
+static verdict judge_change(const double *x, const truth *t, int n,
+                            const double *y, double rise)
 {
     verdict v = {n == t->n ? WRONG_NOT : WRONG_SIDE, {0, 0}};
     for (int k = 0; k < 6; k++)
         if (!isfinite(y[k]))
             return (verdict){WRONG_SPURIOUS,
                              {(double)INFINITY, (double)INFINITY}};
-    v.error[0] = energy_error(x, y, n ? x[RISE] : 0);
-    v.error[1] = momentum_error(x, y);
+    const oracle_pair before = pair_of(x + M1, x + V1, x + V2);
+    const oracle_pair after = pair_of(x + M1, y, y + 3);
+    v.error[0] = oracle_energy_error(&before, &after, rise);
+    v.error[1] = oracle_momentum_error(&before, &after);
     return v;
 }
 
-// --- Ways
-// ----------------------------------------------------------------------------
+static verdict judge_step(const double *x, const truth *t, int n, const double *y)
+{
+    return judge_change(x, t, n, y, n ? x[RISE] : 0);
+}
+
+/** Of a core, or on the rim: the energy is kept. */
+static verdict judge(const double *x, const truth *t, int n, const double *y)
+{
+    return judge_change(x, t, n, y, 0);
+}
+
+// --- Ways ----------------------------------------------------------------------
 
 /** What a kernel leaves in v1, v2 and the virial, as an answer. */
 static void take(answers *out, int i, const double v1[3], const double v2[3],
@@ -211,16 +193,28 @@ static void take(answers *out, int i, const double v1[3], const double v2[3],
         take(out, i, v1, v2, virial);                                            \
     })
 
+#define RIM(kernel)                                                              \
+    LOOP(kernel##_loop, {                                                        \
+        double v1[3] = {p[V1], p[V1 + 1], p[V1 + 2]};                            \
+        double v2[3] = {p[V2], p[V2 + 1], p[V2 + 2]};                            \
+        out->n[i] = kernel(p + R, p[M1], p[M2], v1, v2);                         \
+        take(out, i, v1, v2, 0);                                                 \
+    })
+
 STEP(double_step, int)
 STEP(long_step, int)
 CORE(double_core)
 CORE(long_core)
+RIM(double_rim)
+RIM(long_rim)
 #ifdef TESTS_FLOAT128
 STEP(quad_step, int)
 CORE(quad_core)
+RIM(quad_rim)
 #endif
 STEP(brink_step_impulse, enum brink_direction)
 CORE(brink_core_impulse)
+RIM(brink_rim_impulse)
 
 static const method steps[] = {
     {"step/naive", "as written",
@@ -249,6 +243,20 @@ static const method cores[] = {
      brink_core_impulse_loop, BRINK_IMPULSE_ENERGY_ULP, 0},
 };
 
+static const method rims[] = {
+    {"rim/naive", "as written",
+     "v - (v·r) r / r·r stretched, and the least angle", RANK_FORMULA,
+     double_rim_loop, 0, 0},
+    {"rim/long", "long double", "the same in 64 bits", RANK_WIDE, long_rim_loop,
+     0, 0},
+#ifdef TESTS_FLOAT128
+    {"rim/float128", "__float128", "the same in 113 bits", RANK_WIDE,
+     quad_rim_loop, 0, 0},
+#endif
+    {"rim_impulse", "brink", "brink_rim_impulse", RANK_PLAIN,
+     brink_rim_impulse_loop, BRINK_IMPULSE_ENERGY_ULP, 0},
+};
+
 #define MEASURED_IN                                                              \
     {                                                                            \
         "ulp of the largest kinetic energy", "ulp of the largest |m v|"          \
@@ -266,7 +274,7 @@ const problem problem_step = {
     .make = make,
     .usual = "equal",
     .solve = solve,
-    .judge = judge,
+    .judge = judge_step,
     .measure = MEASURED_IN,
     .second = "momentum",
     .methods = sizeof steps / sizeof *steps,
@@ -289,4 +297,25 @@ const problem problem_core = {
     .second = "momentum",
     .methods = sizeof cores / sizeof *cores,
     .method = cores,
+};
+
+const problem problem_rim = {
+    .name = "rim",
+    .title = "On the rim",
+    .about =
+        "A pair in a well flies all but along its rim, and would bounce for "
+        "ever without getting anywhere.  Is its angle too small, and how does "
+        "it fly on?",
+    .width = 11,
+    .outputs = 7,
+    .families = sizeof core_families / sizeof *core_families,
+    .family = core_family,
+    .make = make_rim,
+    .usual = "equal",
+    .solve = solve_rim,
+    .judge = judge,
+    .measure = MEASURED_IN,
+    .second = "momentum",
+    .methods = sizeof rims / sizeof *rims,
+    .method = rims,
 };

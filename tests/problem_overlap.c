@@ -131,10 +131,16 @@ static verdict judge_sign(const double *x, const truth *t, int n, const double *
 #define WITH_QUAD(...)
 #endif
 
+static int naive_sign(double f)
+{
+    return (f > 0) - (f < 0);
+}
+
 /** A quantity q of `arguments`, by its formula, by the kernels, and by MPFR as f
  * of mpfr_arguments; solved, and its methods. */
 #define QUANTITY(q, arguments, kernel, kernel_sign, f, mpfr_arguments)           \
     LOOP(q##_naive, out->x[0][i] = double_##q arguments)                         \
+    LOOP(q##_naive_sign, out->n[i] = naive_sign(double_##q arguments))           \
     LOOP(q##_long, out->x[0][i] = long_##q arguments)                            \
     WITH_QUAD(LOOP(q##_quad, out->x[0][i] = quad_##q arguments))                 \
     LOOP(q##_mpfr256, out->x[0][i] = rival_##f##_mpfr256 mpfr_arguments)         \
@@ -144,6 +150,8 @@ static verdict judge_sign(const double *x, const truth *t, int n, const double *
     static const method q##_methods[] = {                                        \
         {#q "/naive", "as written", "its formula", RANK_FORMULA, q##_naive, 0,   \
          0},                                                                     \
+        {#q "/sign", "sign, as written", "the sign of its formula",              \
+         RANK_NAIVE_SIGN, q##_naive_sign, 0, 0},                                 \
         {#q "/long", "long double", "its formula in 64 bits", RANK_WIDE,         \
          q##_long, 0, 0},                                                        \
         WITH_QUAD({#q "/float128", "__float128", "its formula in 113 bits",      \

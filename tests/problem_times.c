@@ -9,6 +9,7 @@
 #include "problems_all.h"
 #include "rivals.h"
 #include <brink/event_time.h>
+#include <float.h>
 
 static const char *family(int k)
 {
@@ -42,12 +43,10 @@ static void solve_disjoint(const double *x, truth *t)
     mpfr_clear(time);
 }
 
-// --- The distance from the surface
-// ---------------------------------------------------
+// --- The distance from the surface ---------------------------------------------
 //
-// In long double: of 64 bits, 11 more than those that are measured, so the result
-// is good to a percent where it is more than a few eps; its exponents reach every
-// square.
+// In long double: its 64 bits are 11 more than those that are measured, so what
+// is more than a few eps is good to a percent; its exponents reach every square.
 
 static long double size_of(const double x[3])
 {
@@ -73,7 +72,8 @@ static double in_eps(const double *x, long double distance, long double t)
     return (double)(fabsl(distance) / (0x1p-52L * size));
 }
 
-/** How deep the pair goes that is said never to meet. */
+/** How deep the pair goes that is said never to meet; or how far it is from its
+ *  closest approach, if that is less: one that is inside is said to part. */
 static double depth_missed(const double *x)
 {
     const double *r = x, *v = x + 3;
@@ -85,16 +85,20 @@ static double depth_missed(const double *x)
         rate += (long double)r[i] * v[i];
     }
     const long double speed = size_of(v), t = -rate / (speed * speed);
-    return in_eps(x, x[6] - sqrtl(cross) / speed, t);
+    const double depth = in_eps(x, x[6] - sqrtl(cross) / speed, t);
+    return fmin(depth, in_eps(x, rate / speed, 0));
 }
 
+/** A time at an end of the range may stand for one beyond it: never for one too
+ *  large, and the least for one at which the pair is past the rim already. */
 static double gap_of_intersection(const double *x, double t)
 {
-    return isinf(t) ? depth_missed(x) : in_eps(x, distance_at(x, t) - x[6], t);
+    const double last = fmin(t, DBL_MAX);
+    const double gap = in_eps(x, distance_at(x, last) - x[6], last);
+    return t < DBL_MIN || isinf(t) ? fmin(gap, depth_missed(x)) : gap;
 }
 
-// --- Verdicts
-// ------------------------------------------------------------------------
+// --- Verdicts ------------------------------------------------------------------
 
 /** Of a time that is right, but has lost digits to the end of the range of
  * doubles, no double would put the pair on the surface. */
@@ -122,16 +126,17 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     (void)n;
     const real *exact = &t->x[0];
     verdict v = problem_judge_time(exact, y[0]);
-    if (isinf(y[0]) != isinf(exact->nearest) || v.wrong == WRONG_SPURIOUS)
+    if (v.error[0] < 0 || is_at_the_end(&v, exact))
+        return v;
+    if (v.wrong == WRONG_SPURIOUS || isinf(y[0]) || isinf(exact->hi))
         v.error[1] = (double)INFINITY;
-    else if (v.error[0] >= 0 && !is_at_the_end(&v, exact))
-        v.error[1] =
-            in_eps(x, distance_at(x, y[0]) - distance_at(x, exact->hi), y[0]);
+    else
+        v.error[1] = in_eps(x, distance_at(x, y[0]) - distance_at(x, exact->hi),
+                            fmaxl(y[0], exact->hi));
     return v;
 }
 
-// --- Ways
-// ----------------------------------------------------------------------------
+// --- Ways ----------------------------------------------------------------------
 
 #define TIMES(kernel) LOOP(kernel##_loop, out->x[0][i] = kernel(p, p + 3, p[6]))
 

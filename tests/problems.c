@@ -8,7 +8,7 @@ const problem *const problems[PROBLEMS] = {
     &problem_halfspace_time, &problem_ball,         &problem_rate,
     &problem_ball_at,        &problem_rate_at,      &problem_halfspace,
     &problem_halfspace_rate, &problem_halfspace_at, &problem_step,
-    &problem_core,
+    &problem_core,           &problem_rim,
 };
 
 const char *const problem_wrong_names[WRONG_KINDS] = {
@@ -93,8 +93,7 @@ void answers_free(answers *a)
 
 void real_from(real *x, const mpfr_t exact)
 {
-    // The ulp of a number in [2^(e-1), 2^e) is 2^(e-53), that of subnormals
-    // 2^-1074.
+    // The ulp in [2^(e-1), 2^e) is 2^(e-53); that of subnormals, 2^-1074.
     const long e = mpfr_regular_p(exact) ? (long)mpfr_get_exp(exact) - 53 : -1074;
     mpfr_t rest;
     mpfr_init2(rest, 128); // more than a long double has anywhere

@@ -68,12 +68,18 @@ enum rank {
     RANK_FAST,
     RANK_PLAIN,
     RANK_CR,
-    RANK_SIGN,    // answers with a sign alone
-    RANK_FORMULA, // here begin the rivals
+    RANK_SIGN,       // answers with a sign alone
+    RANK_NAIVE_SIGN, // here begin the rivals
+    RANK_FORMULA,
     RANK_LIBRARY,
     RANK_WIDE,
     RANK_JUDGE // what all others are judged by
 };
+
+static inline int rank_is_sign(enum rank r)
+{
+    return r == RANK_SIGN || r == RANK_NAIVE_SIGN;
+}
 
 typedef verdict judge_of(const double *x, const truth *, int n, const double *y);
 
@@ -92,9 +98,10 @@ typedef struct problem {
     const char *title; // of a section
     const char *about;
     int width, outputs;
-    const signed char
-        *paste; // where the numbers of a line of tests/*.wc are among
-    int pasted; // the inputs, -1 for a 0; NULL: as they come
+    // Where among the inputs are the `pasted` numbers that make a line of
+    // tests/*.wc, -1 for a 0; NULL: as they come
+    const signed char *paste;
+    int pasted;
     int families;
     const char *(*family)(int);
     void (*make)(int family, stream *, double *x);
@@ -107,7 +114,7 @@ typedef struct problem {
     const method *method; // the first is the baseline of costs
 } problem;
 
-enum { PROBLEMS = 13 };
+enum { PROBLEMS = 14 };
 extern const problem *const problems[PROBLEMS];
 
 /** The family of this name, or -1. */
@@ -128,7 +135,7 @@ void real_from(real *x, const mpfr_t exact);
  * |x - exact| in ulp of the exact value's binade; an infinite x counts as 2^1024,
  * so rounding to infinity from the edge is an error like any other.  0 where x is
  * the infinity the exact value is or rounds to; +inf for NaN and for a missed
- * infinity. As oracle_ulps, at once.
+ * infinity.  As oracle_ulps, at once.
  */
 double real_ulps(double x, const real *exact);
 
@@ -137,12 +144,10 @@ double real_ulps(double x, const real *exact);
  * explains. */
 int real_is_spurious(double x, const real *exact);
 
-/** Of an event's time t: whether there is one, and when.  By the first measure.
- */
+/** Of an event's time t, by the first measure: is there one, and when? */
 verdict problem_judge_time(const real *exact, double t);
 
-/** The loop over a kernel: statements with *p, the inputs of case i, into *out.
- */
+/** The loop over a kernel: statements with *p, case i's inputs, into *out. */
 #define LOOP(name, ...)                                                          \
     static void name(const inputs *in, answers *out)                             \
     {                                                                            \

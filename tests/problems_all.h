@@ -17,4 +17,5 @@ extern const problem problem_halfspace_rate;
 extern const problem problem_halfspace_at;
 extern const problem problem_step; // problem_impulse.c
 extern const problem problem_core;
+extern const problem problem_rim;
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cases.h"
 #include "oracle.h"
+#include "oracle_integers.h"
 #include "quadratics.h"
 #include "suite.h"
 #include <brink/quadratic.h>
@@ -67,12 +68,45 @@ START_TEST(hard_cases_are_within_the_bound)
 }
 END_TEST
 
+/** x within `ulps` steps of the double nearest to the root. */
+static int is_near_root(const int q[3], int which, double x, int ulps)
+{
+    double y = x, z = x;
+    for (int n = 0; n <= ulps; n++) {
+        if (is_nearest_root(q[0], q[1], q[2], which, y) ||
+            is_nearest_root(q[0], q[1], q[2], which, z))
+            return 1;
+        y = nextafter(y, (double)INFINITY);
+        z = nextafter(z, -(double)INFINITY);
+    }
+    return 0;
+}
+
 START_TEST(all_small_integers_are_right)
 {
-    for (int a = -5; a <= 5; a++)
-        for (int b = -7; b <= 7; b++)
-            for (int c = -5; c <= 5; c++)
-                keep_both("integers", 0, &(quadratic_case){a, b, c});
+    enum { MOST = 12, KINDS = 2 * MOST + 1 };
+    for (int i = 0; i < KINDS * KINDS * KINDS; i++) {
+        const int q[3] = {i % KINDS - MOST, i / KINDS % KINDS - MOST,
+                          i / (KINDS * KINDS) - MOST};
+        const int d = q[1] * q[1] - 4 * q[0] * q[2];
+        const int count = q[0] == 0 ? q[1] != 0 : d < 0 ? 0 : 2;
+        for (int tier = 0; tier < 2; tier++) {
+            double x[2] = {7, 8};
+            // A root within the bound is that many doubles from the nearest one.
+            const int ulps = tier == 0 ? BRINK_QUADRATIC_ULP : 0;
+            int good = count == (tier == 0 ? brink_quadratic_roots
+                                           : brink_quadratic_roots_cr)(
+                                    q[0], q[1], q[2], &x[0], &x[1]);
+            if (count == 2)
+                good = good && is_near_root(q, -1, x[0], ulps) &&
+                       is_near_root(q, 1, x[1], ulps);
+            if (count == 1) // c / b, rounded once
+                good = good && x[0] == (double)-q[2] / q[1];
+            if (!good)
+                ck_abort_msg("%d %d %d, tier %d: %a %a", q[0], q[1], q[2], tier,
+                             x[0], x[1]);
+        }
+    }
 }
 END_TEST
 
@@ -96,8 +130,8 @@ END_TEST
 
 START_TEST(scaling_by_a_power_of_two_loses_no_root)
 {
-    // t^2 - 3 t + 2 = 0.  GSL 2.7.1 finds no root at 2^665 and a double root at
-    // 2^-665.
+    // t^2 - 3 t + 2 = 0.  GSL 2.7.1 finds no root at 2^665, and one of 1.5 twice
+    // at 2^-665.
     for (int e = -1074; e < 1022; e++) {
         double x0, x1, s = ldexp(1, e);
         ck_assert_int_eq(brink_quadratic_roots(s, -3 * s, 2 * s, &x0, &x1), 2);

@@ -34,8 +34,7 @@ static inline void quadratic_double_root(stream *s, quadratic_case *q)
     q->c = stream_near(s, q->b * q->b / (4 * q->a), 2);
 }
 
-/** (p x + q)^2 with p, q of 26 bits: the discriminant is exactly 0, or all but.
- */
+/** (p x + q)^2 with p, q of 26 bits: the discriminant is 0 exactly, or nearly. */
 static inline void quadratic_square(stream *s, quadratic_case *q)
 {
     double x = stream_int(s, 1, 1 << 26), y = stream_int(s, -(1 << 26), 1 << 26);
@@ -95,16 +94,15 @@ static inline void quadratic_huge(stream *s, quadratic_case *q)
 }
 
 /** A root within 2^-106 of itself of a midpoint m of two doubles: m b = 1 mod
- * 2^53, so b x = m b - 1, both sides exact doubles, has the root m - 1/b; and a
- * x^2 with a so small that it hardly matters. */
+ *  2^53, so b x = m b - 1, both sides exact doubles, has the root m - 1/b; and
+ *  a x^2 with a so small that it hardly matters. */
 static inline void quadratic_midpoint(stream *s, quadratic_case *q)
 {
     uint64_t m, b, k;
     do {
         m = stream_bits(s) >> 10 | UINT64_C(1) << 53 | 1; // odd, of 54 bits
         b = m;
-        for (int i = 0; i < 5;
-             i++) // Newton's iteration for 1 / m, 3 bits to begin with
+        for (int i = 0; i < 5; i++) // Newton's iteration for 1 / m, from 3 bits
             b *= 2 - m * b;
         b &= (UINT64_C(1) << 53) - 1;
         __extension__ unsigned __int128 product = (unsigned __int128)m * b;
@@ -122,8 +120,7 @@ static inline void quadratic_sqrt_midpoint(stream *s, quadratic_case *q)
     q->a = 1; // (1 + n 2^-53)^2 = 1 + n 2^-52 + n^2 2^-106
     q->b = 0;
     q->c = -(1 + n * 0x1p-52);
-    if (stream_int(s, 0,
-                   1)) { // (x - k)^2 = ...: the root's fraction ends 2^-53 too
+    if (stream_int(s, 0, 1)) { // (x + k)^2: the root's fraction ends 2^-53 too
         q->b = 2 * k;
         q->c = (double)k * k + q->c;
     }
@@ -153,7 +150,7 @@ static const quadratic_family quadratic_families[] = {
     {"integers", quadratic_integers},  {"scaled", quadratic_scaled},
     {"wild", quadratic_wild},          {"subnormal", quadratic_subnormal},
     {"huge", quadratic_huge},          {"midpoint", quadratic_midpoint},
-    {"sqrt", quadratic_sqrt_midpoint}, {"tiny root", quadratic_tiny_root},
+    {"sqrt", quadratic_sqrt_midpoint}, {"tiny", quadratic_tiny_root},
 };
 enum {
     QUADRATIC_FAMILIES = sizeof quadratic_families / sizeof *quadratic_families

@@ -109,8 +109,8 @@ END_TEST
 START_TEST(a_well_speeds_up_what_it_captures_and_gives_it_back)
 {
     // Reduced mass 1/2, relative speed 2: radial energy 1 outside, 2 inside,
-    // where the relative speed is 2 sqrt 2.  From 2 to 1 and back that takes 1 /
-    // sqrt 2.
+    // where the relative speed is 2 sqrt 2.  That takes 1 / sqrt 2 from 2 to 1
+    // and back.
     brink_system s;
     reference w;
     make(&s, 16, &well, 2,

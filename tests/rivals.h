@@ -7,12 +7,10 @@
 /** The stable quotient with the discriminant by Kahan's way with fma. */
 int rival_roots_kahan(double a, double b, double c, double *x0, double *x1);
 
-/** [S16] algorithm 1 with the discriminant of its rounded a, b, c by Kahan's way.
- */
+/** [S16] algorithm 1, the discriminant of its rounded a, b, c by Kahan's way. */
 double rival_intersection_kahan(const double r[3], const double v[3],
                                 double sigma);
-/** With the discriminant as a sigma^2 - |r x v|^2, each 2x2 determinant by fma.
- */
+/** With the discriminant as a sigma^2 - |r x v|^2, 2x2 determinants by fma. */
 double rival_intersection_cross(const double r[3], const double v[3],
                                 double sigma);
 double rival_disjoint_cross(const double r[3], const double v[3], double sigma);

@@ -26,8 +26,8 @@ static int64_t random_integer(stream *s, int bits)
     return stream_int(s, 0, 1) ? m : -m;
 }
 
-/** The lower and the upper root of a x^2 + 2 b x + c, by MPFR, without
- * cancellation. */
+/** The lower and the upper root of a x^2 + 2 b x + c, by MPFR: nothing
+ *  cancels. */
 static void roots_by_mpfr(mpfr_t lower, mpfr_t upper, const number *a,
                           const number *b, const number *c, const mpfr_t d)
 {
@@ -100,13 +100,12 @@ START_TEST(quotients_are_correctly_rounded)
 }
 END_TEST
 
-/** The root m 2^e (1 + nudge 2^-200), m odd and of 54 bits: at or beside a
- * midpoint. */
+/** The root m 2^e (1 + nudge 2^-200), m odd and of 54 bits: at a midpoint, or
+ *  beside it. */
 static double root_near_midpoint(int64_t m, int e, int nudge,
                                  enum brink_which which)
 {
-    // (x - p)(x - q) = x^2 - (p + q) x + p q with q far below or above p; p = m +
-    // nudge
+    // (x - p)(x - q) = x^2 - (p + q) x + p q: p that root, q far below or above
     brink_dyadic one, p, q, little, sum, half, b, c, bb, d;
     brink_dyadic_integer(&one, 1, 0);
     brink_dyadic_integer(&half, -1, -1);

@@ -5,8 +5,8 @@
 #include <brink/event_time.h>
 #include <math.h>
 
-// Earliest time at which i and j can meet, over all images within one box, from
-// now.
+// Earliest time from now at which i and j can meet, over all images within one
+// box.
 static double meeting(const brink_run *run, uint32_t i, uint32_t j)
 {
     const brink_system *s = &run->system;
@@ -52,9 +52,9 @@ START_TEST(no_pair_meets_before_the_calendar_says)
             for (uint32_t i = 0; i < run.system.count; i++)
                 for (uint32_t j = i + 1; j < run.system.count; j++) {
                     const double dt = meeting(&run, i, j);
-                    // Both sides come from r and v with different roundings:
-                    // relative to the flight since the prediction, which is less
-                    // than a year.
+                    // Both sides come from r and v with different roundings,
+                    // relative to the flight since the prediction: less than a
+                    // year.
                     const double slack = 0x1p-40 * run.system.year;
                     ck_assert_msg(
                         !(dt < next - slack),

@@ -41,8 +41,8 @@ START_TEST(a_run_is_the_same_in_one_piece_or_in_many)
         make_run(&one, scenes[k]);
         make_run(&many, scenes[k]);
         advance(&one, 10000);
-        // Odd pieces by events, others by time; a look at every position in
-        // between.
+        // Odd pieces by events, others by time, and in between a look at every
+        // position.
         for (uint64_t events = 17; events < 10000; events += events / 3) {
             double x[3];
             advance(&many, events);
@@ -62,7 +62,7 @@ START_TEST(a_run_is_the_same_in_one_piece_or_in_many)
 END_TEST
 
 // The distance of a pair and the level this shows; a pair that shows another
-// level than its own must be as near to a step as events are executed, to
+// level than its own is as near to a step as events are executed: within
 // contact_error_max.
 START_TEST(levels_and_positions_differ_by_a_rounding_at_most)
 {
@@ -86,8 +86,8 @@ START_TEST(levels_and_positions_differ_by_a_rounding_at_most)
                 const double step = p->distance[seen > level ? level : level - 1];
                 const double off =
                     fabs(hypot(hypot(r[0], r[1]), r[2]) / step - 1);
-                // hypot twice and the quotient: 3 roundings of the comparison
-                // itself.
+                // The comparison itself rounds three times: hypot twice, and the
+                // quotient.
                 ck_assert_msg(abs(seen - level) == 1 &&
                                   off <= run.tally.contact_error_max +
                                              3 * DBL_EPSILON,
@@ -121,8 +121,8 @@ static void make_pair(brink_run *run, const double r[3], const double v[3])
 START_TEST(a_pair_goes_through_the_well_as_the_textbook_says)
 {
     // Head-on from 4 with relative speed 2: capture at 2 after time 1; radial
-    // speed squared 4 + 2 * 1 / mu = 8; core at 1, and out again at 2 with
-    // speed 2.
+    // speed squared 4 + 2 * 1 / mu = 8; core at 1, and out again at 2 with speed
+    // 2.
     brink_run run;
     make_pair(&run, (double[]){4, 0, 0}, (double[]){-2, 0, 0});
     const enum brink_event_kind kinds[] = {BRINK_CAPTURE, BRINK_CORE,
@@ -202,8 +202,7 @@ START_TEST(a_captured_pair_on_the_rim_makes_progress)
                           run.tally.zero_time <= 1,
                       "v_r %a: %lu at one instant", slow[k],
                       (unsigned long)run.tally.zero_time);
-        // A chord of the least angle takes 2 angle r / v; the last may be cut
-        // short.
+        // A chord of the least angle takes 2 angle r / v; the last may be cut.
         ck_assert(brink_run_time(&run) > 10000 * 2 * 0x1p-24 * 2 / 0.5);
         // Every bounce rounds each velocity once: a random walk of 20 000 steps
         // of 2^-53, four standard deviations of it.

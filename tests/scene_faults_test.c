@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The least that a scene needs; texts below are put together of these and one
-// fault.
+// The least that a scene needs: texts below are made of these and one fault.
 #define BOX     "box: {number_density: 0.1}\n"
 #define SPECIES "species: {A: {count: 100, diameter: 1}}\n"
 #define TWO     "species:\n  A: {count: 50, mass: 1}\n  B: {count: 50, mass: 2}\n"

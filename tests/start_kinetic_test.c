@@ -79,14 +79,14 @@ START_TEST(the_year_is_a_power_of_two_near_the_time_to_an_event)
                    "  - {between: [A, A], steps: [[3, -1], [1, .inf]]}\n");
     ck_assert(o.system.year == 8.0);
     forget(&o);
-    // Denser ones of reach 1.5: 1 / (sqrt(2) 0.5 pi 2.25 1.596) = 0.125 against
+    // Denser ones of reach 1.5: 1 / (sqrt(2) 0.5 pi 2.25 1.596) = 0.125, against
     // 0.789.
     o = good_start(
         "box: {number_density: 0.5}\nspecies: {A: {count: 500}}\npotentials:\n"
         "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n");
     ck_assert(o.system.year == 0.125);
     forget(&o);
-    // Discs: sqrt(pi / 2) = 1.253; 1 / (sqrt(2) 0.35 2 1.253) = 0.806 against
+    // Discs: sqrt(pi / 2) = 1.253; 1 / (sqrt(2) 0.35 2 1.253) = 0.806, against
     // 1.35.
     o = good_start("dimensions: 2\nbox: {number_density: 0.35}\n"
                    "species: {A: {count: 500, diameter: 1}}\n");

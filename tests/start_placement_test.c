@@ -75,8 +75,7 @@ END_TEST
 
 START_TEST(vacant_sites_are_spread_over_the_box)
 {
-    // 4 * 5 * 5 * 4 = 400 sites; in their order, 330 would leave the top layer
-    // empty.
+    // 4 * 5 * 5 * 4 = 400 sites: taken in order, 330 leave the top layer empty.
     outcome o = good_start("box: {number_density: 0.1}\n"
                            "species: {A: {count: 330, diameter: 1}}\n");
     uint32_t layers[4] = {0};

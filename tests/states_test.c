@@ -13,8 +13,7 @@ static const brink_potential terrace = {
 static const brink_potential shoulder = {1, (const double[]){2},
                                          (const double[]){0.5}};
 
-// Two species: A with a terrace and a core, B with a shoulder one can get on top
-// of.
+// Two species: A with a terrace and a core, B with a shoulder to get on top of.
 static void make(brink_system *s)
 {
     const brink_species species[] = {{"A", 1, 1, COUNT / 2},

@@ -38,8 +38,7 @@ static int level_shown(const brink_run *run, uint32_t i, uint32_t j, int *overla
     return level;
 }
 
-// The naive reference: pairs that have met and had no event since are kept in a
-// list.
+// The naive reference: a list of the pairs that have met and had no event since.
 typedef struct pair {
     uint32_t i, j;
 } pair;
@@ -137,8 +136,7 @@ START_TEST(a_transfer_is_in_doubt_on_just_one_side_a_bounce_on_both_or_none)
 }
 END_TEST
 
-// Books that say the opposite of what the positions show, for the time of one
-// look.
+// Books that for the time of one look say the opposite of what positions show.
 START_TEST(a_state_that_is_wrong_at_the_next_event_is_counted)
 {
     brink_run run;

@@ -104,8 +104,7 @@ START_TEST(labels_lie_in_the_plot_and_not_on_one_another)
         double at[BRINK_METHODS];
         ck_assert_double_lt(find_labels(&c, at), at[0]);
         for (int m = 1; m < BRINK_METHODS; m++)
-            // A line of 14 px text in a plot of some 420 px for 21 decades is 0.7
-            // high.
+            // 14 px of text in a plot of some 420 px for 21 decades: 0.7 of one.
             ck_assert_double_ge(at[m] - at[m - 1], 0.7);
         ck_assert_double_le(at[BRINK_METHODS - 1], 1);
     }

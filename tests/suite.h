@@ -3,8 +3,13 @@
 #define SUITE_H
 /**
  * What every Check program ends with:
- *     int main(void) { return RUN_SUITE("calendar", 60, empty_has_no_next, ...);
- * } Each test runs in a process of its own and is given `seconds`.
+ *
+ *     int main(void)
+ *     {
+ *         return RUN_SUITE("calendar", 60, empty_has_no_next, ...);
+ *     }
+ *
+ * Each test runs in a process of its own and is given so many seconds.
  */
 #include <check.h>
 #include <stdint.h>

@@ -267,7 +267,7 @@ START_TEST(no_beginning_of_a_file_does_harm)
     fclose(out);
     for (size_t length = 0; length < size; length++) {
         outcome o = read_text(text, length, 1);
-        // Whole but for its last digits or line end it may be; else it is
+        // It may be whole but for its last digits or line end; else it is
         // refused.
         ck_assert_msg(o.status == (length == 0         ? 0
                                    : length < size - 1 ? -1

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * How good one kernel is on one family of inputs: ulp KERNEL [family] [count]
- * [seed].
+ * How good one kernel is on one family of inputs:
+ *
+ *     ulp KERNEL [FAMILY] [COUNT] [SEED]
  *
  * Every family where none is named.  The worst inputs are printed as hard cases,
  * to be pasted into tests/NAME.wc.  Status: 0, 1 where the kernel did not keep
