@@ -9,13 +9,13 @@
 // Memory is asked for before it is needed, many places at once.
 #define BRINK_PREFETCH(address) __builtin_prefetch(address)
 
-// The search for a slot's next pair event: the earliest found so far, and those
+// The search for what particle i waits for: the earliest found so far, and those
 // who are still to be looked at.
 typedef struct search {
     brink_run *run;
     uint32_t i;
     double offset;  // of now, in the current year
-    double soonest; // offset + dt of `best`; its instant follows from this sum
+    double soonest; // that of `best`, whose instant follows from it
     brink_entry best;
     brink_batch inward, outward; // by the way they would meet the step
 } search;
@@ -45,8 +45,8 @@ static double first_of(double *t, int count)
                        (double)INFINITY};
     for (int n = count; n % 4 != 0; n++)
         t[n] = (double)INFINITY;
-    for (int n = 0; n < count;
-         n += 4) // in fours, which do not wait for each other
+    // In fours, which do not wait for each other.
+    for (int n = 0; n < count; n += 4)
         for (int k = 0; k < 4; k++)
             first[k] = t[n + k] < first[k] ? t[n + k] : first[k];
     const double a = first[0] < first[1] ? first[0] : first[1];
