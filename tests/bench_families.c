@@ -22,6 +22,8 @@ static const struct {
     {"midpoint", "a root all but halfway between two doubles"},
     {"sqrt", "a root like √(1 + 2 ulp), as near to halfway as one can be"},
     {"tiny", "a root that is subnormal, or nearly, beside one that is not"},
+    {"close",
+     "in integers, the discriminant down to 10⁻³² of its terms, but not 0"},
     {"dilute", "somewhere in a box of 20 diameters: most pairs never meet"},
     {"hits", "aimed at each other from up to 20 diameters away"},
     {"neighbours", "1 to 1.6 diameters apart, any velocity: a dense fluid"},
