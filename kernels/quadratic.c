@@ -117,12 +117,10 @@ static BRINK_APART int roots_rescued(double a, double b, double c, double *x0,
     return 2;
 }
 
-/**
- * Whether d < 0, of any a, b, c: h^2 - q.hi and a c - q.hi are rounded once each,
- * which changes no order, and where a product overflows the two do not compare so.
- * An h that is subnormal, and may have lost a bit, has a square that is nothing
- * beside the least double.
- */
+/** Whether d < 0, of any a, b, c: h^2 - q.hi and a c - q.hi are rounded once
+ *  each, which changes no order, and where a product overflows they do not
+ *  compare so.  A subnormal h may have lost a bit: its square is nothing beside
+ *  any double. */
 BRINK_INLINE int is_rootless(double h, dd q)
 {
     return fma(h, h, -q.hi) < q.lo;
