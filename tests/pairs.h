@@ -134,7 +134,7 @@ static inline void family_scaled(stream *s, pair_case *p)
     }
     int lengths = stream_int(s, -600, 600), times = stream_int(s, -600, 600);
     if (stream_int(s, 0, 3) == 0) { // down to and beyond the edges of the range
-        lengths = stream_int(s, -1080, 1020);
+        lengths = stream_int(s, -1080, 1018);
         times = stream_int(s, -1080, 1000);
     }
     for (int i = 0; i < 3; i++) {
