@@ -12,8 +12,8 @@
 #include <signal.h>
 #include <time.h>
 
-// A checkpoint after every thousand events: saving is a good part of the work.  A
-// run takes some hundredths of a second, where no disk has to be waited for.
+// A run takes some hundredths of a second, with a checkpoint every few thousandths
+// and several frames of the trajectory between two.
 static const char scene[] = "seed: 18\n"
                             "box: {size: [4.5, 5, 16]}\n"
                             "species: {A: {count: 30}}\n"
@@ -21,7 +21,7 @@ static const char scene[] = "seed: 18\n"
                             "potentials:\n"
                             "  - {between: [A, A], steps: [[2, -1], [1, .inf]]}\n"
                             "run: {time: 30}\n"
-                            "output: {trajectory: 1.25, checkpoint: 1.0e-9}\n";
+                            "output: {trajectory: 0.5, checkpoint: 0.003}\n";
 
 static const char *folder;
 static char path[100], whole[100]; // the scene; the run that is left alone
