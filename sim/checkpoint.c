@@ -93,6 +93,25 @@ static void sync_folder(const char *dir)
     }
 }
 
+const char *brink_checkpoint_remedy(int error)
+{
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+        return "make room there";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return "make the folder writable";
+    case ENOENT:
+    case ENOTDIR:
+        return "the folder is gone: put it back";
+    default:
+        return "put this right";
+    }
+}
+
 int brink_checkpoint_save(const char *dir, const brink_run *run,
                           const brink_plan *plan, FILE *errors)
 {
@@ -116,11 +135,12 @@ int brink_checkpoint_save(const char *dir, const brink_run *run,
         sync_folder(dir);
         remove_old(dir);
     } else {
+        const int error = errno;
         fprintf(errors,
                 "%s: the checkpoint could not be written: %s\n"
-                "  earlier ones are untouched; free some space or use another "
-                "--out\n",
-                dir, strerror(errno));
+                "  earlier ones are untouched: %s and `brink resume` it, or use "
+                "another --out\n",
+                dir, strerror(error), brink_checkpoint_remedy(error));
         if (file)
             unlink(fresh);
     }

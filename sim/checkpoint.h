@@ -13,6 +13,10 @@
 int brink_checkpoint_save(const char *dir, const brink_run *run,
                           const brink_plan *plan, FILE *errors);
 
+/** What to do about a folder that cannot be written to for this reason (an
+ * errno), in the words that go before "and resume". */
+const char *brink_checkpoint_remedy(int error);
+
 /** Reads one file.  0; -1 with its name and what is wrong with it to `errors`,
  * and *run and *plan empty; memory as with brink_snapshot_read. */
 int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,

@@ -3,9 +3,9 @@
 #include "checkpoint.h"
 #include "observe.h"
 #include "scene.h"
+#include "session_files.h"
 #include "start.h"
 #include "trajectory.h"
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <signal.h>
@@ -33,23 +33,6 @@ static double wall_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static int complain(const char *dir, const char *name)
-{
-    fprintf(stderr, "%s/%s: it cannot be written: %s\n", dir, name,
-            strerror(errno));
-    return -1;
-}
-
-static FILE *open_in(const char *dir, const char *name, const char *mode)
-{
-    char path[4200];
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    FILE *file = fopen(path, mode);
-    if (!file)
-        complain(dir, name);
-    return file;
-}
-
 // Offset of now, counted in the year that the particles' own times count in.
 static double offset_now(const brink_run *run)
 {
@@ -71,12 +54,14 @@ static brink_instant frame_instant(const session *s)
                             (double)s->plan.frames * s->scene.trajectory_every);
 }
 
+// What is looked at at a certain instant is looked at after all events up to and
+// at it, in however many pieces the run gets there.
 static int write_due_frame(session *s)
 {
     if (brink_instant_compare(s->run.now, frame_instant(s)) < 0)
         return 0;
     if (write_frame(s, s->trajectory) || fflush(s->trajectory))
-        return complain(s->dir, "trajectory.xyz");
+        return brink_files_complain(s->dir, "trajectory.xyz");
     s->plan.frames++;
     s->plan.frame_end = (uint64_t)ftello(s->trajectory);
     return 0;
@@ -85,38 +70,48 @@ static int write_due_frame(session *s)
 // The trajectory goes on behind the last frame that the checkpoint knows of.
 static int open_trajectory(session *s)
 {
+    struct stat about;
     if (s->scene.trajectory_every == 0)
         return 0;
-    s->trajectory = open_in(s->dir, "trajectory.xyz", "a");
+    s->trajectory = brink_files_open(s->dir, "trajectory.xyz", "a");
     if (!s->trajectory)
         return -1;
-    if (ftruncate(fileno(s->trajectory), (off_t)s->plan.frame_end) ||
+    const int fd = fileno(s->trajectory);
+    if (fstat(fd, &about) == 0 && (uint64_t)about.st_size < s->plan.frame_end) {
+        fprintf(stderr,
+                "%s/trajectory.xyz: it is shorter than when the checkpoint was "
+                "written\n  put the whole file back, then `brink resume %s`\n",
+                s->dir, s->dir);
+        return -1;
+    }
+    if (ftruncate(fd, (off_t)s->plan.frame_end) ||
         fseeko(s->trajectory, 0, SEEK_END))
-        return complain(s->dir, "trajectory.xyz");
+        return brink_files_complain(s->dir, "trajectory.xyz");
     return 0;
 }
 
+// The frames first: a checkpoint must not know of any that a power cut can take.
 static int save(session *s)
 {
+    if (s->trajectory && fsync(fileno(s->trajectory)))
+        return brink_files_complain(s->dir, "trajectory.xyz");
     return brink_checkpoint_save(s->dir, &s->run, &s->plan, stderr);
 }
 
 static int write_results(const session *s, const char *stopped)
 {
-    FILE *out = open_in(s->dir, "summary.json", "w");
+    FILE *out = brink_files_begin(s->dir, "summary.json");
     if (!out)
         return -1;
-    int status =
+    int failed =
         brink_observe_summary(out, &s->run, &s->plan, s->scene.title, stopped);
-    if (fclose(out) || status)
-        return complain(s->dir, "summary.json");
-    out = open_in(s->dir, "final.xyz", "w");
+    if (brink_files_end(out, s->dir, "summary.json", failed))
+        return -1;
+    out = brink_files_begin(s->dir, "final.xyz");
     if (!out)
         return -1;
-    status = write_frame(s, out);
-    if (fclose(out) || status)
-        return complain(s->dir, "final.xyz");
-    return 0;
+    failed = write_frame(s, out);
+    return brink_files_end(out, s->dir, "final.xyz", failed);
 }
 
 static void show_progress(const session *s, double rate)
@@ -128,9 +123,10 @@ static void show_progress(const session *s, double rate)
     fprintf(stderr, "\r%s\033[K", line);
 }
 
-// Why the run stopped, for the summary; NULL while it goes on.
+// Why the run stopped, for the summary; NULL while it goes on.  `arrived`: all
+// events up to and at the clock's instant have been executed.
 static const char *stop_reason(const session *s, enum brink_run_status status,
-                               double spent)
+                               int arrived, double spent)
 {
     const struct timespec at_once = {0, 0};
     switch (status) {
@@ -148,42 +144,49 @@ static const char *stop_reason(const session *s, enum brink_run_status status,
     const brink_instant until =
         brink_instant_at(s->run.system.year, s->plan.until);
     if (brink_tally_events(&s->run.tally) >= s->plan.events ||
-        brink_instant_compare(s->run.now, until) >= 0)
+        (arrived && brink_instant_compare(s->run.now, until) >= 0))
         return "target reached";
     if (sigtimedwait(&s->stops, NULL, &at_once) > 0)
         return "signal";
     return spent >= s->max_wall ? "wall time" : NULL;
 }
 
+// The instant at which the run is looked at next.
+static brink_instant next_look(const session *s)
+{
+    const brink_instant until =
+        brink_instant_at(s->run.system.year, s->plan.until);
+    const brink_instant frame = frame_instant(s);
+    return brink_instant_compare(frame, until) < 0 ? frame : until;
+}
+
 // Drives the run to its target or to a stop; the reason, or NULL where a file
 // could not be written.  A piece is some tenth of a second, so that signals are
-// heard.
+// heard, or as long as checkpoints are apart.
 static const char *drive(session *s, enum brink_run_status *status)
 {
     const double begin = wall_clock(), before = s->plan.wall_seconds;
+    const double length = fmin(0.1, s->scene.checkpoint_every);
     const uint64_t events_before = brink_tally_events(&s->run.tally);
-    const brink_instant until =
-        brink_instant_at(s->run.system.year, s->plan.until);
     double saved = begin;
     uint64_t piece = 1000;
     for (;;) {
-        if (write_due_frame(s))
+        const uint64_t most = brink_tally_events(&s->run.tally) + piece;
+        const uint64_t events = most < s->plan.events ? most : s->plan.events;
+        *status = brink_run_advance(&s->run, events, next_look(s));
+        const int arrived = brink_tally_events(&s->run.tally) < events;
+        if (arrived && write_due_frame(s))
             return NULL;
-        const uint64_t events = brink_tally_events(&s->run.tally) + piece;
-        const brink_instant frame = frame_instant(s);
-        *status = brink_run_advance(
-            &s->run, events < s->plan.events ? events : s->plan.events,
-            brink_instant_compare(frame, until) < 0 ? frame : until);
         const double now = wall_clock();
         s->plan.wall_seconds = before + (now - begin);
-        const char *reason = stop_reason(s, *status, now - begin);
+        const char *reason = stop_reason(s, *status, arrived, now - begin);
         const uint64_t done = brink_tally_events(&s->run.tally) - events_before;
         const double rate =
             (double)done / fmax(now - begin, 1e-9); // s: the clock's tick
-        piece = (uint64_t)fmin(fmax(0.1 * rate, 1000), 1e6);
+        piece = (uint64_t)fmin(fmax(length * rate, 1000), 1e6);
         show_progress(s, rate);
         if (reason)
-            return write_due_frame(s) ? NULL : reason;
+            return reason;
         if (now - saved >= s->scene.checkpoint_every) {
             if (save(s))
                 return NULL;
@@ -248,36 +251,6 @@ static void destroy(session *s)
     brink_scene_destroy(&s->scene);
 }
 
-static int choose_folder(session *s, const char *scene, const char *out)
-{
-    const char *slash = strrchr(scene, '/');
-    const char *stem = slash ? slash + 1 : scene;
-    const char *dot = strrchr(stem, '.');
-    const int length =
-        out ? (int)strlen(out) : (int)(dot ? (size_t)(dot - stem) : strlen(stem));
-    if (length == 0 || (size_t)length + 64 > sizeof s->dir) {
-        fprintf(stderr,
-                "%s: no folder can be named after it; give one with --out DIR\n",
-                scene);
-        return -1;
-    }
-    snprintf(s->dir, sizeof s->dir, "%.*s", length, out ? out : stem);
-    if (mkdir(s->dir, 0777) && errno != EEXIST) {
-        fprintf(stderr, "%s: the folder cannot be made: %s\n", s->dir,
-                strerror(errno));
-        return -1;
-    }
-    if (brink_checkpoint_count(s->dir) > 0) {
-        fprintf(stderr,
-                "%s: it holds a run already, which is not overwritten\n"
-                "  `brink resume %s` goes on with it; --out DIR takes another "
-                "folder\n",
-                s->dir, s->dir);
-        return -1;
-    }
-    return 0;
-}
-
 static int make_plan(session *s, const brink_orders *o)
 {
     brink_plan *p = &s->plan;
@@ -320,12 +293,21 @@ static int set_up(session *s, const char *scene, const brink_orders *orders)
     return make_plan(s, orders);
 }
 
+// A write beyond the limit on a file's size is to fail as one to a full disk
+// does, and not to end the program.
+static void outlive_limits(void)
+{
+    signal(SIGXFSZ, SIG_IGN);
+}
+
 int brink_session_run(const char *scene, const brink_orders *orders)
 {
+    outlive_limits();
     session s = {.max_wall = orders->max_wall};
     int code = BRINK_EXIT_USAGE;
     if (set_up(&s, scene, orders) == 0 &&
-        choose_folder(&s, scene, orders->out) == 0 && save(&s) == 0)
+        brink_files_choose(s.dir, sizeof s.dir, scene, orders->out) == 0 &&
+        save(&s) == 0)
         code = carry_out(&s);
     destroy(&s);
     return code;
@@ -333,6 +315,7 @@ int brink_session_run(const char *scene, const brink_orders *orders)
 
 int brink_session_resume(const char *dir, double max_wall)
 {
+    outlive_limits();
     session s = {.max_wall = max_wall};
     char path[4200];
     int code = BRINK_EXIT_USAGE;

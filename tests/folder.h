@@ -27,21 +27,35 @@ static inline void remove_all(const char *path)
     remove(path);
 }
 
-static char the_folder[sizeof "/tmp/brink-test-XXXXXX"];
+static char the_folder[64];
 
 static inline void remove_the_folder(void)
 {
     remove_all(the_folder);
 }
 
-/** A new folder, one a test; it goes when the test's process ends, unless it
- *  failed. */
-static inline const char *new_folder(void)
+/** A new folder under `place`, one a test; it goes when the test's process ends,
+ *  unless it failed. */
+static inline const char *new_folder_in(const char *place)
 {
-    strcpy(the_folder, "/tmp/brink-test-XXXXXX");
+    snprintf(the_folder, sizeof the_folder, "%s/brink-test-XXXXXX", place);
     ck_assert_ptr_nonnull(mkdtemp(the_folder));
     atexit(remove_the_folder);
     return the_folder;
+}
+
+static inline const char *new_folder(void)
+{
+    return new_folder_in("/tmp");
+}
+
+/** The same in memory, where the system has such a place: syncing takes no
+ *  time. */
+static inline const char *new_quick_folder(void)
+{
+    struct stat about;
+    const char *memory = "/dev/shm";
+    return new_folder_in(stat(memory, &about) == 0 ? memory : "/tmp");
 }
 
 /** FOLDER/NAME, valid until the next call. */

@@ -122,6 +122,38 @@ static const char *read_bytes(const char *bytes, size_t size)
     return fault;
 }
 
+// Of every bit: a checksum of 64 bits finds all errors so short, and whether this
+// is the one that is used, and over the whole of the file, is seen here.
+START_TEST(a_file_with_any_one_bit_flipped_is_refused)
+{
+    brink_run run, taken;
+    brink_plan p;
+    size_t size;
+    make_run(&run, small_box);
+    advance(&run, 500);
+    FILE *file = write_run(&run);
+    char *bytes = bytes_of(file, &size);
+    fclose(file);
+    file = fmemopen(bytes, size, "r");
+    setvbuf(file, NULL, _IONBF, 0); // the bytes as they are now
+    ck_assert_ptr_null(brink_snapshot_read(file, &taken, &p));
+    brink_run_destroy(&taken);
+    brink_plan_destroy(&p);
+    for (size_t bit = 0; bit < 8 * size; bit++) {
+        const char mask = (char)(1 << bit % 8);
+        bytes[bit / 8] ^= mask;
+        rewind(file);
+        const char *fault = brink_snapshot_read(file, &taken, &p);
+        ck_assert_msg(fault != NULL, "bit %zu of %zu", bit, 8 * size);
+        ck_assert_ptr_nonnull(strstr(fault, "checksum"));
+        bytes[bit / 8] ^= mask;
+    }
+    fclose(file);
+    free(bytes);
+    brink_run_destroy(&run);
+}
+END_TEST
+
 // Damage whose checksum was made to fit, as an adversary would: no crash, and
 // where it is taken for a run, a valid one.
 START_TEST(a_forged_file_is_refused_or_a_valid_run)
@@ -185,5 +217,6 @@ int main(void)
     return RUN_SUITE(
         "snapshot", 300, saved_and_loaded_half_way_a_run_ends_the_same,
         where_state_and_position_disagree_the_state_wins,
+        a_file_with_any_one_bit_flipped_is_refused,
         a_forged_file_is_refused_or_a_valid_run, what_is_wrong_is_said);
 }
