@@ -116,6 +116,19 @@ static double time_of(stream *random, const pair_case *p)
     return stream_near(random, t, 1);
 }
 
+/** Lays the plane through the particle, as nearly as rounding lets it. */
+static void lay_plane(stream *random, scene *s)
+{
+    const double *n = s->plane.v, length = stream_scaled(random, -10, 10);
+    double w[3];
+    fill_normal(random, w, length * length_of(s->p.r) / length_of(n));
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double c = s->p.r[i] + (n[j] * w[k] - n[k] * w[j]);
+        s->plane.r[i] = isfinite(c) ? c : 0;
+    }
+}
+
 START_TEST(signs_are_exact_and_values_within_the_bound)
 {
     for (int f = 0; f < PAIR_FAMILIES; f++) {
@@ -124,6 +137,8 @@ START_TEST(signs_are_exact_and_values_within_the_bound)
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             pair_families[f].make(&random, &s.p);
             pair_families[f].make(&random, &s.plane);
+            if (stream_int(&random, 0, 1))
+                lay_plane(&random, &s);
             s.t = time_of(&random, &s.p);
             keep(pair_families[f].name, i, &s);
         }
