@@ -95,7 +95,7 @@ static inline void family_missing(stream *s, pair_case *p)
 static inline void family_upright(stream *s, pair_case *p)
 {
     double x = 1, y = 0, z = 0, w = 1; // x w - y z = 1
-    while (fabs(x) + fabs(y) < 0x1p49 && fabs(z) + fabs(w) < 0x1p49) {
+    while (fabs(x) + fabs(y) < 0x1p50 && fabs(z) + fabs(w) < 0x1p50) {
         const double k = stream_sign(s) * stream_int(s, 1, 7), old_x = x,
                      old_y = y;
         x = z + k * x;
@@ -114,7 +114,7 @@ static inline void family_upright(stream *s, pair_case *p)
 static inline void family_triple(stream *s, pair_case *p)
 {
     double x = 0, y = 1, z = 2;
-    while (z < 0x1p50) {
+    while (z < 0x1p53 / 5.9) { // 3 + 2 sqrt(2) is the most it grows by
         const double a = x * stream_sign(s), b = y * stream_sign(s), c = z;
         x = a - 2 * b + 2 * c;
         y = 2 * a - b + 2 * c;
