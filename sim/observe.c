@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "observe.h"
+#include "observe_figures.h"
 #include <inttypes.h>
 #include <math.h>
-
-void brink_observe_json_text(FILE *out, const char *text)
-{
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++)
-        if (*c == '"' || *c == '\\')
-            fprintf(out, "\\%c", *c);
-        else if (*c < 0x20)
-            fprintf(out, "\\u%04x", *c);
-        else
-            putc(*c, out);
-}
 
 static void put_text(FILE *out, const char *key, const char *text)
 {
     fprintf(out, "  \"%s\": \"", key);
-    brink_observe_json_text(out, text);
+    brink_figures_json_text(out, text);
     fputs("\",\n", out);
 }
 
@@ -55,7 +45,8 @@ static double momentum_drift(const brink_run *run)
 }
 
 int brink_observe_summary(FILE *out, const brink_run *run, const brink_plan *plan,
-                          const char *title, const char *stopped)
+                          const char *title, const char *stopped,
+                          const brink_record *record)
 {
     static const char *const tiers[] = {"fast", "plain", "cr"};
     const brink_tally *t = &run->tally;
@@ -88,6 +79,8 @@ int brink_observe_summary(FILE *out, const brink_run *run, const brink_plan *pla
     put_number(out, "compressibility_factor", brink_run_compressibility(run));
     put_number(out, "mean_free_time", brink_run_mean_free_time(run));
     put_number(out, "contact_error_max", t->contact_error_max);
+    if (record)
+        brink_figures_json(out, record, &run->system);
     fprintf(out, "  \"cells\": [%d, %d, %d],\n", run->cells.count[0],
             run->cells.count[1], run->cells.count[2]);
     fprintf(out,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene.h"
 #include "scene_box.h"
+#include "scene_observe.h"
 #include "scene_species.h"
 #include "scene_tree.h"
 #include "scene_value.h"
@@ -26,6 +27,7 @@ enum top {
     POTENTIALS,
     RUN,
     OUTPUT,
+    OBSERVE,
     TOP_KEYS
 };
 
@@ -164,7 +166,8 @@ static void read_scene(brink_source *s, brink_scene *scene,
                                 [TEMPERATURE] = {"temperature", 0, 0},
                                 [POTENTIALS] = {"potentials", 0, 0},
                                 [RUN] = {"run", 0, 0},
-                                [OUTPUT] = {"output", 0, 0}};
+                                [OUTPUT] = {"output", 0, 0},
+                                [OBSERVE] = {"observe", 0, 0}};
     uint64_t dimensions = 3;
     int have_species = 0;
     if (!brink_value_map(s, root, "a scene", "`key: value`, one a line"))
@@ -189,6 +192,7 @@ static void read_scene(brink_source *s, brink_scene *scene,
                              &scene->temperature);
     read_run(s, scene, keys[RUN].value, have_species);
     read_output(s, scene, keys[OUTPUT].value);
+    brink_observe_read(s, scene, keys[OBSERVE].value);
 
     if (!keys[BOX].key)
         brink_complain(s, root->at,

@@ -5,27 +5,39 @@
  * A scene: what is to be simulated, read from YAML, checked, every default filled
  * in.
  *
- *   title: one line of text              default ""; at most BRINK_TITLE_MOST
- * bytes seed: integer >= 0                   default 1; at most BRINK_SEED_MOST
- *   dimensions: 2 | 3                    default 3
- *   box:                                 exactly one of
- *     number_density: N / V              a cube (square)
- *     packing_fraction: of the cores     a cube (square)
- *     size: [Lx, Ly, Lz]                 (two numbers in 2-D)
- *     periodic: [true, true, true]       default; walls are not there yet: false
- * is refused species: NAME: {count: n, mass: m, diameter: d} mass default 1;
- * diameter is short for a hard core with its like: steps [[d, .inf]] start:
- * {lattice: fcc | sc | square | hexagonal} | {random: true} | {file: f.xyz}
- *                                        default fcc, in 2-D hexagonal; a file's
- * path is relative to the scene's folder temperature: k_B T > 0 default 1; not
- * with a file that has velocities potentials:
+ *   title: one line of text         default ""; at most BRINK_TITLE_MOST bytes
+ *   seed: integer >= 0              default 1; at most BRINK_SEED_MOST
+ *   dimensions: 2 | 3               default 3
+ *   box:                            exactly one of
+ *     number_density: N / V         a cube (square)
+ *     packing_fraction: of cores    a cube (square)
+ *     size: [Lx, Ly, Lz]            (two numbers in 2-D)
+ *     periodic: [true, true, true]  default; there are no walls: false is refused
+ *   species:
+ *     NAME: {count: n, mass: m, diameter: d}
+ *                                   mass default 1; diameter is short for a hard
+ *                                   core with its like: steps [[d, .inf]]
+ *   start: {lattice: fcc | sc | square | hexagonal} | {random: true} | {file: f}
+ *                                   default fcc, in 2-D hexagonal; a file is
+ *                                   extended XYZ, relative to the scene's folder
+ *   temperature: k_B T > 0          default 1; not with a file with velocities
+ *   potentials:
  *     - between: [A, B]
- *       steps: [[distance, energy inside it], ...]   outermost first; .inf: a
- * hard core unlike pairs that are not given: see brink_scene_mix run:
- * {events_per_particle: n} | {events: n} | {time: t} events / N; default
- * {events_per_particle: 100} output: {trajectory: dt, checkpoint: seconds} both
- * optional: frames every dt of simulated time; a checkpoint every so many seconds
- * (60)
+ *       steps: [[distance, energy inside it], ...]
+ *                                   outermost first; .inf: a hard core; unlike
+ *                                   pairs not given: see brink_scene_mix
+ *   run: {events_per_particle: n} | {events: n} | {time: t}
+ *                                   default {events_per_particle: 100}
+ *   output: {trajectory: dt, checkpoint: seconds}
+ *                                   both optional: frames every dt of simulated
+ *                                   time; checkpoints every so many seconds (60)
+ *   observe:                        default: nothing is measured
+ *     every: dt                     simulated time between two samples
+ *     from: t                       when the first is taken; default 0
+ *     distances: {up_to: r, bins: n}
+ *                                   g(r), up to half the box; n: default 100
+ *     displacements: {up_to: t}     mean squared, over lags up to t; diffusion
+ *     speeds: true                  their distribution
  */
 #include "scene_source.h"
 #include "system.h"
@@ -49,6 +61,16 @@ enum brink_target {
     BRINK_TARGET_TIME
 };
 
+/** What is to be measured; nothing of what is 0. */
+typedef struct brink_wish {
+    double every; // simulated time between two samples
+    double from;  // time of the first
+    double distance_most;
+    int distance_bins;
+    int lags; // samples in the longest lag of displacements
+    int speeds;
+} brink_wish;
+
 typedef struct brink_scene {
     char *title;
     uint64_t seed;
@@ -65,6 +87,7 @@ typedef struct brink_scene {
     double target_value;
     double trajectory_every; // 0: no trajectory
     double checkpoint_every; // seconds on the wall
+    brink_wish wish;
     brink_mark start_at; // where a bad start is complained of: `start`, or `box`
     brink_mark temperature_at; // line 0: not given
     char *text;                // the file as read, NUL-terminated

@@ -4,27 +4,15 @@
 #include "observe.h"
 #include "scene.h"
 #include "session_files.h"
+#include "session_looks.h"
 #include "start.h"
-#include "trajectory.h"
 #include <inttypes.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-
-typedef struct session {
-    brink_run run;
-    brink_plan plan;
-    brink_scene scene;
-    char dir[4096];
-    FILE *trajectory; // NULL: the scene asks for none
-    double max_wall;  // for this piece of the run
-    // the signals that stop it, blocked and asked for between pieces
-    sigset_t stops;
-} session;
 
 static double wall_clock(void)
 {
@@ -33,88 +21,7 @@ static double wall_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-// Offset of now, counted in the year that the particles' own times count in.
-static double offset_now(const brink_run *run)
-{
-    const brink_instant new_year = {run->system.epoch, 0.0};
-    return brink_instant_since(run->system.year, run->now, new_year);
-}
-
-static int write_frame(const session *s, FILE *out)
-{
-    return brink_trajectory_write(out, &s->run.system, offset_now(&s->run),
-                                  brink_run_time(&s->run));
-}
-
-static brink_instant frame_instant(const session *s)
-{
-    if (!s->trajectory)
-        return BRINK_NEVER;
-    return brink_instant_at(s->run.system.year,
-                            (double)s->plan.frames * s->scene.trajectory_every);
-}
-
-// What is looked at at a certain instant is looked at after all events up to and
-// at it, in however many pieces the run gets there.
-static int write_due_frame(session *s)
-{
-    if (brink_instant_compare(s->run.now, frame_instant(s)) < 0)
-        return 0;
-    if (write_frame(s, s->trajectory) || fflush(s->trajectory))
-        return brink_files_complain(s->dir, "trajectory.xyz");
-    s->plan.frames++;
-    s->plan.frame_end = (uint64_t)ftello(s->trajectory);
-    return 0;
-}
-
-// The trajectory goes on behind the last frame that the checkpoint knows of.
-static int open_trajectory(session *s)
-{
-    struct stat about;
-    if (s->scene.trajectory_every == 0)
-        return 0;
-    s->trajectory = brink_files_open(s->dir, "trajectory.xyz", "a");
-    if (!s->trajectory)
-        return -1;
-    const int fd = fileno(s->trajectory);
-    if (fstat(fd, &about) == 0 && (uint64_t)about.st_size < s->plan.frame_end) {
-        fprintf(stderr,
-                "%s/trajectory.xyz: it is shorter than when the checkpoint was "
-                "written\n  put the whole file back, then `brink resume %s`\n",
-                s->dir, s->dir);
-        return -1;
-    }
-    if (ftruncate(fd, (off_t)s->plan.frame_end) ||
-        fseeko(s->trajectory, 0, SEEK_END))
-        return brink_files_complain(s->dir, "trajectory.xyz");
-    return 0;
-}
-
-// The frames first: a checkpoint must not know of any that a power cut can take.
-static int save(session *s)
-{
-    if (s->trajectory && fsync(fileno(s->trajectory)))
-        return brink_files_complain(s->dir, "trajectory.xyz");
-    return brink_checkpoint_save(s->dir, &s->run, &s->plan, stderr);
-}
-
-static int write_results(const session *s, const char *stopped)
-{
-    FILE *out = brink_files_begin(s->dir, "summary.json");
-    if (!out)
-        return -1;
-    int failed =
-        brink_observe_summary(out, &s->run, &s->plan, s->scene.title, stopped);
-    if (brink_files_end(out, s->dir, "summary.json", failed))
-        return -1;
-    out = brink_files_begin(s->dir, "final.xyz");
-    if (!out)
-        return -1;
-    failed = write_frame(s, out);
-    return brink_files_end(out, s->dir, "final.xyz", failed);
-}
-
-static void show_progress(const session *s, double rate)
+static void show_progress(const brink_session *s, double rate)
 {
     char line[200];
     if (!isatty(STDERR_FILENO))
@@ -125,8 +32,9 @@ static void show_progress(const session *s, double rate)
 
 // Why the run stopped, for the summary; NULL while it goes on.  `arrived`: all
 // events up to and at the clock's instant have been executed.
-static const char *stop_reason(const session *s, enum brink_run_status status,
-                               int arrived, double spent)
+static const char *stop_reason(const brink_session *s,
+                               enum brink_run_status status, int arrived,
+                               double spent)
 {
     const struct timespec at_once = {0, 0};
     switch (status) {
@@ -151,19 +59,10 @@ static const char *stop_reason(const session *s, enum brink_run_status status,
     return spent >= s->max_wall ? "wall time" : NULL;
 }
 
-// The instant at which the run is looked at next.
-static brink_instant next_look(const session *s)
-{
-    const brink_instant until =
-        brink_instant_at(s->run.system.year, s->plan.until);
-    const brink_instant frame = frame_instant(s);
-    return brink_instant_compare(frame, until) < 0 ? frame : until;
-}
-
 // Drives the run to its target or to a stop; the reason, or NULL where a file
 // could not be written.  A piece is some tenth of a second, so that signals are
 // heard, or as long as checkpoints are apart.
-static const char *drive(session *s, enum brink_run_status *status)
+static const char *drive(brink_session *s, enum brink_run_status *status)
 {
     const double begin = wall_clock(), before = s->plan.wall_seconds;
     const double length = fmin(0.1, s->scene.checkpoint_every);
@@ -173,9 +72,9 @@ static const char *drive(session *s, enum brink_run_status *status)
     for (;;) {
         const uint64_t most = brink_tally_events(&s->run.tally) + piece;
         const uint64_t events = most < s->plan.events ? most : s->plan.events;
-        *status = brink_run_advance(&s->run, events, next_look(s));
+        *status = brink_run_advance(&s->run, events, brink_looks_next(s));
         const int arrived = brink_tally_events(&s->run.tally) < events;
-        if (arrived && write_due_frame(s))
+        if (arrived && brink_looks_take(s))
             return NULL;
         const double now = wall_clock();
         s->plan.wall_seconds = before + (now - begin);
@@ -188,7 +87,7 @@ static const char *drive(session *s, enum brink_run_status *status)
         if (reason)
             return reason;
         if (now - saved >= s->scene.checkpoint_every) {
-            if (save(s))
+            if (brink_looks_save(s))
                 return NULL;
             saved = now;
         }
@@ -204,7 +103,8 @@ static int exit_code(const char *reason, enum brink_run_status status)
                : BRINK_EXIT_WRONG;
 }
 
-static int finish(session *s, const char *reason, enum brink_run_status status)
+static int finish(brink_session *s, const char *reason,
+                  enum brink_run_status status)
 {
     const int code = exit_code(reason, status);
     if (isatty(STDERR_FILENO))
@@ -214,7 +114,7 @@ static int finish(session *s, const char *reason, enum brink_run_status status)
         brink_run_diagnosis(&s->run, status, why, sizeof why);
         fprintf(stderr, "%s: the run cannot go on: %s", s->dir, why);
     }
-    if (save(s) || write_results(s, reason))
+    if (brink_looks_save(s) || brink_looks_results(s, reason))
         return BRINK_EXIT_USAGE;
     if (code == BRINK_EXIT_STOPPED)
         fprintf(stderr, "%s: stopped early (%s); `brink resume %s` goes on\n",
@@ -224,7 +124,7 @@ static int finish(session *s, const char *reason, enum brink_run_status status)
 }
 
 // The run is set up or loaded: drive it, with the signals held.
-static int carry_out(session *s)
+static int carry_out(brink_session *s)
 {
     enum brink_run_status status = BRINK_RUN_REACHED;
     int code = BRINK_EXIT_USAGE;
@@ -233,7 +133,7 @@ static int carry_out(session *s)
     sigaddset(&s->stops, SIGTERM);
     sigaddset(&s->stops, SIGINT);
     sigprocmask(SIG_BLOCK, &s->stops, &before);
-    if (open_trajectory(s) == 0) {
+    if (brink_looks_open_trajectory(s) == 0) {
         const char *reason = drive(s, &status);
         if (reason)
             code = finish(s, reason, status);
@@ -242,16 +142,17 @@ static int carry_out(session *s)
     return code;
 }
 
-static void destroy(session *s)
+static void destroy(brink_session *s)
 {
     if (s->trajectory)
         fclose(s->trajectory);
+    brink_record_destroy(&s->record);
     brink_run_destroy(&s->run);
     brink_plan_destroy(&s->plan);
     brink_scene_destroy(&s->scene);
 }
 
-static int make_plan(session *s, const brink_orders *o)
+static int make_plan(brink_session *s, const brink_orders *o)
 {
     brink_plan *p = &s->plan;
     p->events = brink_scene_events(&s->scene);
@@ -276,7 +177,7 @@ static int make_plan(session *s, const brink_orders *o)
 }
 
 // From a scene's path to a run before its first event.
-static int set_up(session *s, const char *scene, const brink_orders *orders)
+static int set_up(brink_session *s, const char *scene, const brink_orders *orders)
 {
     if (brink_scene_read(scene, &s->scene, stderr))
         return -1;
@@ -290,7 +191,7 @@ static int set_up(session *s, const char *scene, const brink_orders *orders)
         fprintf(stderr, "%s: memory is out\n", scene);
         return -1;
     }
-    return make_plan(s, orders);
+    return make_plan(s, orders) || brink_looks_begin(s) ? -1 : 0;
 }
 
 // A write beyond the limit on a file's size is to fail as one to a full disk
@@ -303,11 +204,11 @@ static void outlive_limits(void)
 int brink_session_run(const char *scene, const brink_orders *orders)
 {
     outlive_limits();
-    session s = {.max_wall = orders->max_wall};
+    brink_session s = {.max_wall = orders->max_wall};
     int code = BRINK_EXIT_USAGE;
     if (set_up(&s, scene, orders) == 0 &&
         brink_files_choose(s.dir, sizeof s.dir, scene, orders->out) == 0 &&
-        save(&s) == 0)
+        brink_looks_save(&s) == 0)
         code = carry_out(&s);
     destroy(&s);
     return code;
@@ -316,7 +217,7 @@ int brink_session_run(const char *scene, const brink_orders *orders)
 int brink_session_resume(const char *dir, double max_wall)
 {
     outlive_limits();
-    session s = {.max_wall = max_wall};
+    brink_session s = {.max_wall = max_wall};
     char path[4200];
     int code = BRINK_EXIT_USAGE;
     if (snprintf(s.dir, sizeof s.dir, "%s", dir) >= (int)sizeof s.dir)
@@ -324,7 +225,8 @@ int brink_session_resume(const char *dir, double max_wall)
     else if (brink_checkpoint_resume(dir, &s.run, &s.plan, path, sizeof path,
                                      stderr) == 0 &&
              brink_scene_parse(s.plan.scene, s.plan.scene_size, path, "",
-                               &s.scene, stderr) == 0) {
+                               &s.scene, stderr) == 0 &&
+             brink_looks_resume(&s, path) == 0) {
         fprintf(stderr, "%s: going on from %" PRIu64 " events\n", path,
                 brink_tally_events(&s.run.tally));
         code = carry_out(&s);
@@ -335,7 +237,7 @@ int brink_session_resume(const char *dir, double max_wall)
 
 int brink_session_check(const char *scene)
 {
-    session s = {0};
+    brink_session s = {0};
     const brink_orders orders = {.tier = BRINK_TIER_PLAIN};
     const int status = set_up(&s, scene, &orders);
     if (status == 0)

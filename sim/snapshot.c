@@ -42,6 +42,9 @@ static void code_plan(brink_codec *c, brink_plan *plan)
     brink_code_u64(c, &plan->scene_size);
     plan->scene = brink_code_room(c, plan->scene, plan->scene_size, 1, 1);
     brink_code_bytes(c, plan->scene, plan->scene_size);
+    brink_code_u64(c, &plan->record_size);
+    plan->record = brink_code_room(c, plan->record, plan->record_size, 1, 1);
+    brink_code_bytes(c, plan->record, plan->record_size);
 }
 
 static void code_tally(brink_codec *c, brink_tally *t)
@@ -344,6 +347,24 @@ static void read_run(brink_codec *c, brink_run *run)
         brink_run_destroy(run);
 }
 
+static char *copy(const char *bytes, uint64_t size)
+{
+    char *kept = calloc(size + 1, 1);
+    return kept && size > 0 ? memcpy(kept, bytes, size) : kept;
+}
+
+// The plan with texts of its own.  0, -1 no memory.
+static int keep_plan(brink_plan *plan, const brink_plan *read)
+{
+    *plan = *read;
+    plan->scene = copy(read->scene, read->scene_size);
+    plan->record = copy(read->record, read->record_size);
+    if (plan->scene && plan->record)
+        return 0;
+    brink_plan_destroy(plan);
+    return -1;
+}
+
 const char *brink_snapshot_read(FILE *file, brink_run *run, brink_plan *plan)
 {
     brink_codec c;
@@ -354,16 +375,9 @@ const char *brink_snapshot_read(FILE *file, brink_run *run, brink_plan *plan)
     code_head(&c);
     code_plan(&c, &p);
     read_run(&c, run);
-    if (!c.fault) {
-        *plan = p;
-        plan->scene = malloc(p.scene_size + 1);
-        if (plan->scene) {
-            memcpy(plan->scene, p.scene, p.scene_size);
-            plan->scene[p.scene_size] = '\0';
-        } else {
-            c.fault = "memory is out";
-            brink_run_destroy(run);
-        }
+    if (!c.fault && keep_plan(plan, &p)) {
+        c.fault = "memory is out";
+        brink_run_destroy(run);
     }
     brink_codec_close(&c);
     return c.fault;
@@ -372,5 +386,6 @@ const char *brink_snapshot_read(FILE *file, brink_run *run, brink_plan *plan)
 void brink_plan_destroy(brink_plan *plan)
 {
     free(plan->scene);
+    free(plan->record);
     memset(plan, 0, sizeof *plan);
 }

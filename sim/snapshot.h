@@ -22,6 +22,8 @@ typedef struct brink_plan {
     double wall_seconds; // spent so far, all pieces together
     char *scene;         // the scene's text
     uint64_t scene_size;
+    char *record; // what was observed so far, as bytes of those who look
+    uint64_t record_size;
 } brink_plan;
 
 /** Writes run and plan; the file is flushed.  NULL, or what went wrong. */

@@ -16,7 +16,7 @@ static char *summary_of(const brink_run *run, const char *title)
                              .wall_seconds = 0.5};
     FILE *out = open_memstream(&text, &size);
     ck_assert_int_eq(
-        brink_observe_summary(out, run, &plan, title, "target reached"), 0);
+        brink_observe_summary(out, run, &plan, title, "target reached", NULL), 0);
     fclose(out);
     return text;
 }

@@ -60,6 +60,34 @@ while "$brink" resume cut --max-wall 1e-9 >out 2>err && false || [ $? -eq 75 ]; 
 [ "$(grep -c Lattice film/trajectory.xyz)" -eq 5 ] || fail "not five frames"
 cmp film/trajectory.xyz cut/trajectory.xyz || fail "the resumed film is another"
 
+# Observations: in one piece, in many, and many more: the same bits.  Of discs and of a
+# mixture, so that all there is is there.
+for name in discs mixture; do
+    { sed '/^run:/d' "$scenes/$name.yaml"
+      echo 'run: {time: 6}'
+      echo 'observe: {every: 0.05, from: 0.5, distances: {up_to: 3}, speeds: true,'
+      echo '          displacements: {up_to: 0.25}}'; } >seen.yaml
+    expect 0 "$brink" run seen.yaml --out "$name-seen"
+    expect 75 "$brink" run seen.yaml --out "$name-again" --max-wall 1e-9
+    pieces=1
+    while "$brink" resume "$name-again" --max-wall 0.01 >out 2>err && false ||
+        [ $? -eq 75 ]; do pieces=$((pieces + 1)); done
+    [ "$pieces" -gt 2 ] || fail "$name, observed, was resumed $pieces times only"
+    for table in distances displacements speeds; do
+        cmp "$name-seen/$table.dat" "$name-again/$table.dat" || fail "$name: $table differ"
+    done
+    sed "$strip" "$name-seen/summary.json" >one.json
+    sed "$strip" "$name-again/summary.json" >many.json
+    cmp one.json many.json || fail "$name, observed, sums up otherwise"
+    python3 -m json.tool "$name-seen/summary.json" >out || fail "$name, observed: no JSON"
+    grep -q '"samples": 111,' one.json || fail "$name: not 111 samples"
+    # And the run is none the wiser.
+    sed '/^observe/,$d' seen.yaml >unseen.yaml
+    expect 0 "$brink" run unseen.yaml --out "$name-unseen"
+    cmp "$name-seen/final.xyz" "$name-unseen/final.xyz" || fail "$name minds being seen"
+    [ -e "$name-unseen/observed.html" ] && fail "$name was observed unasked"
+done
+
 # A folder that cannot be made.
 expect 2 "$brink" run "$scenes/hard-spheres.yaml" --out no/such/place
 said 'cannot be made'
