@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Batches are the scalar kernel bit for bit: as they are called, and on each
 // instruction set path by its name.
+#include "cases.h"
 #include "pairs.h"
 #include "paths.h"
 #include "suite.h"
@@ -67,8 +68,11 @@ static void fill(arrays *a, stream *s, const pair_family *family)
     for (int i = 0; i < MOST + 8; i++) {
         pair_case p;
         family->make(s, &p);
-        if (stream_int(s, 0, 99) == 0) // outside the domain
-            *(stream_int(s, 0, 1) ? &p.r[1] : &p.sigma) = (double)NAN;
+        const int outside = stream_int(s, 0, 99); // the domain, if at most 2
+        if (outside <= 1)
+            *(outside ? &p.r[1] : &p.sigma) = (double)NAN;
+        if (outside == 2)
+            p.sigma = -p.sigma;
         set_pair(a, i, &p);
     }
 }
@@ -135,6 +139,27 @@ START_TEST(batches_of_any_size_and_alignment_are_the_scalar_kernel)
 }
 END_TEST
 
+START_TEST(hard_cases_are_the_scalar_kernel_in_a_batch_of_their_like)
+{
+    static arrays a;
+    static double right[MOST + 8];
+    FILE *in = cases_open("event_time");
+    double x[7];
+    while (cases_next(in, 7, x)) {
+        const pair_case p = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]};
+        for (int i = 0; i < MOST + 8; i++)
+            set_pair(&a, i, &p);
+        for (int k = 0; k < TIERS; k++)
+            for (int way = 0; way < WAYS && has_way(way); way++) {
+                one_by_one_all(&tiers[k], &a, right);
+                call(batch_of(&tiers[k], way), &a, 0, MOST, a.t);
+                expect(&tiers[k], way, "event_time.wc", &a, 0, MOST, a.t, right);
+            }
+    }
+    fclose(in);
+}
+END_TEST
+
 START_TEST(the_times_may_be_written_over_any_of_the_inputs)
 {
     static arrays a, before;
@@ -181,6 +206,8 @@ int main(void)
                         0, PAIR_FAMILIES);
     tcase_add_loop_test(all, the_times_may_be_written_over_any_of_the_inputs, 0,
                         PAIR_FAMILIES);
+    tcase_add_test(all,
+                   hard_cases_are_the_scalar_kernel_in_a_batch_of_their_like);
     tcase_add_test(all, inputs_may_be_one_array);
     suite_add_tcase(suite, all);
     SRunner *runner = srunner_create(suite);
