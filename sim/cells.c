@@ -249,6 +249,7 @@ void brink_cells_stay(const brink_cells *c, const brink_system *system,
     }
     const double until = soonest + p->since;
     stay->until = until > offset ? until : offset;
+    // NOLINTNEXTLINE(clang-analyzer-core.*): at least two dimensions
     stay->crossing = (brink_crossing){first, gaps[first].v > 0 ? 1 : -1};
     for (int a = 0; a < system->dimensions; a++)
         if (c->images[a] == 1)

@@ -97,7 +97,8 @@ static void look_outward(search *s)
 
 // All axes at once, in three lanes of four.
 typedef double lanes __attribute__((vector_size(32)));
-typedef int64_t units __attribute__((vector_size(32)));
+typedef uint64_t units __attribute__((vector_size(32))); // they wrap around
+typedef int64_t way_round __attribute__((vector_size(32)));
 _Static_assert(offsetof(brink_particle, v) == 24 &&
                    offsetof(brink_particle, since) == 48,
                "four lanes from x[0] or v[0] are inside a particle");
@@ -130,7 +131,7 @@ static void add_nearest(const search *s, brink_batch *b, const uint32_t *who,
         const brink_particle *q = &particle[k];
         load(&qx, &qv, q);
         const lanes v = pv - qv;
-        const lanes r = __builtin_convertvector(px - qx, lanes) * unit +
+        const lanes r = __builtin_convertvector((way_round)(px - qx), lanes) * unit +
                         (way - qv * (offset - q->since));
         b->who[n] = k;
         b->step[n] = with[q->species].distance[0];

@@ -36,7 +36,8 @@ static void free_block(brink_states *s, uint32_t first, int size)
 // Makes room in the pool for two blocks of so many links; 0, -1 no memory.
 static int make_room(brink_states *s, uint32_t count)
 {
-    const uint64_t needed = s->touched + (UINT64_C(8) << size_for(count));
+    const int size = size_for(count);
+    const uint64_t needed = s->touched + (size < 0 ? 0 : UINT64_C(8) << size);
     if (needed <= s->capacity)
         return 0;
     if (needed >= NO_BLOCK)
