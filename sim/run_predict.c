@@ -131,8 +131,9 @@ static void add_nearest(const search *s, brink_batch *b, const uint32_t *who,
         const brink_particle *q = &particle[k];
         load(&qx, &qv, q);
         const lanes v = pv - qv;
-        const lanes r = __builtin_convertvector((way_round)(px - qx), lanes) * unit +
-                        (way - qv * (offset - q->since));
+        const lanes r =
+            __builtin_convertvector((way_round)(px - qx), lanes) * unit +
+            (way - qv * (offset - q->since));
         b->who[n] = k;
         b->step[n] = with[q->species].distance[0];
         for (int a = 0; a < 3; a++) {
