@@ -37,13 +37,21 @@ static int write_tables(const char *dir, const brink_record *record,
     return 0;
 }
 
+static void put_number(brink_report *page, const char *before, int digits,
+                       double x)
+{
+    if (isfinite(x))
+        brink_report_cell(page, "%s%.*g", before, digits, x);
+    else
+        brink_report_cell(page, "not yet");
+}
+
 static void put_row(brink_report *page, const char *what, const char *unit,
                     brink_figure f)
 {
     brink_report_cell(page, "%s", what);
-    brink_report_cell(page, "%.7g", f.mean);
-    brink_report_cell(page, isfinite(f.error) ? PLUS_MINUS " %.1g" : "not yet",
-                      f.error);
+    put_number(page, "", 7, f.mean);
+    put_number(page, PLUS_MINUS " ", 1, f.error);
     brink_report_cell(page, "%s", unit);
 }
 
