@@ -6,42 +6,42 @@
 
 #include "event_time.h"
 #include "event_time_lanes.h"
+#include "event_time_meeting.h"
 #include "event_time_parting.h"
 
 // --- Plain ---------------------------------------------------------------------
 
-/** Of a pair that approaches and is touching; -1 where it is not certain. */
-BRINK_INLINE double touching_time(const double r[3], const double v[3],
-                                  double sigma)
+/** The time that a verdict means, which is certain. */
+BRINK_INLINE double told_time(const meeting *m)
 {
-    sums m = sums_in_lanes(r, v, sigma);
-    double a = dot_rounded(v, v), t = meeting_time_touching(&m, a, 1);
-    if (t < 0 && !is_known(sum_of(m.c), 8 * m.c_error)) { // on the surface
-        look_closer(&m, r, sigma);
-        t = meeting_time_touching(&m, a, 1);
+    double t = if_negative(m->c, 0, time_of_meeting(m));
+    t = if_negative(-m->d, t, if_negative(m->c, 0, (double)INFINITY));
+    return if_negative(m->b, t, (double)INFINITY);
+}
+
+/** Of a pair that is not certain to miss. */
+static BRINK_APART double intersection_time_near(const double r[3],
+                                                 const double v[3], double sigma)
+{
+    if (sigma_in_range(sigma)) {
+        sums m = sums_in_lanes(r, v, sigma);
+        meeting told = meeting_of(&m);
+        double t = told_time(&told); // as a rule it is
+        if (is_certain(&told))
+            return t;
+        look_closer(&m, r, sigma); // on the surface, as likely as not
+        told = meeting_of(&m);
+        if (is_certain(&told))
+            return told_time(&told);
     }
-    return t;
+    return brink_intersection_time_slow(r, v, sigma);
 }
 
 double brink_intersection_time(const double r[3], const double v[3], double sigma)
 {
-    rate b = rate_of(r, v);
-    if (sigma_in_range(sigma)) {
-        if (is_positive(b))
-            return (double)INFINITY;
-        if (is_negative(b)) {
-            double t = is_touching(r, sigma) ? touching_time(r, v, sigma) : -1;
-            if (t >= 0)
-                return t;
-            if (passes_by(chord_of(r, v, sigma)))
-                return (double)INFINITY;
-            sums m = sums_in_lanes(r, v, sigma);
-            t = meeting_time(&m, dot_of(v, v), 1);
-            if (t >= 0)
-                return t;
-        }
-    }
-    return brink_intersection_time_slow(r, v, sigma);
+    if (is_certain_to_miss(r, v, sigma))
+        return (double)INFINITY;
+    return intersection_time_near(r, v, sigma);
 }
 
 /** Of a far pair that is not certain to pass. */
@@ -50,7 +50,7 @@ static BRINK_APART double disjoint_time_far(const double r[3], const double v[3]
 {
     if (sigma_in_range(sigma)) {
         sums m = sums_in_lanes(r, v, sigma);
-        discriminant d = discriminant_of(dot_of(v, v), &m);
+        discriminant d = discriminant_of(&m);
         double a = dot_rounded(v, v), b = sum_of(m.b), c = sum_of(m.c);
         if (d.certain)
             return later_root(a, b, c, sqrt(d.d));
@@ -94,13 +94,14 @@ double brink_disjoint_time(const double r[3], const double v[3], double sigma)
  *  2^-78 of itself, if d is large enough for that. */
 typedef struct fine_sums {
     dd a, b, c, sum;
-    int c_sign, is_fine; // 0 where the sign is not certain; where d is not
+    int b_sign, c_sign; // 0 where it is not certain
+    int passes_by, is_fine;
 } fine_sums;
 
 /**
  * Twice what discriminant_of carries: no rounding of d is left, which was off by
  * 150u^2 Q.  Where d > 2^-20 Q that is 2^-78 of d; the square root halves it, and
- * adds a few u^2 like the sum.
+ * adds a few u^2 like the sum.  The signs are as certain as in meeting_of.
  */
 BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
                                     double sigma)
@@ -108,22 +109,28 @@ BRINK_INLINE fine_sums fine_sums_of(const double r[3], const double v[3],
     sums m = sums_in_lanes(r, v, sigma);
     if (!is_known(fabs(sum_of(m.c)), 0x1p25 * m.c_error))
         look_closer(&m, r, sigma);
-    dd a = dot_of(v, v), b = two_sum(m.b.hi, m.b.lo);
+    dd a = m.a, b = two_sum(m.b.hi, m.b.lo);
     dd c = two_sum(m.c.hi, m.c.lo); // their hi may have been less than their lo
     dd p = two_prod(b.hi, b.hi), q = two_prod(a.hi, c.hi);
     dd high = two_sum(p.hi, -q.hi);
     double low = fma(a.hi, c.lo, a.lo * c.hi);
     low = high.lo + fma(2 * b.hi, b.lo, (p.lo - q.lo) - low);
-    double d = high.hi + low, least = fma(0x1p-20 * a.hi, m.size, 0x1p-800);
-    int is_fine = a.hi > 0x1p-800 && d > least;
-    double c_error = 0x1p25 * m.c_error;
-    int c_sign = is_known(c.hi, c_error) - is_known(-c.hi, c_error);
+    double d = high.hi + low, size = a.hi * m.size;
 
-    double root = sqrt(is_fine ? d : 1);
+    fine_sums f = {a, b, c, {0, 0}, 0, 0, 0, 0};
+    int is_b_certain = p.hi > fma(0x1p-200, size, 0x1p-900);
+    double c_error = 0x1p25 * m.c_error;
+    f.b_sign = is_b_certain ? sign_of(b.hi) : 0;
+    f.c_sign = is_known(c.hi, c_error) - is_known(-c.hi, c_error);
+    int is_a_fine = a.hi > 0x1p-800;
+    f.passes_by = is_a_fine && d < -fma(0x1p-90, size, 0x1p-800);
+    f.is_fine = is_a_fine && d > fma(0x1p-20, size, 0x1p-800);
+
+    double root = sqrt(f.is_fine ? d : 1);
     double root_low = (fma(-root, root, high.hi) + low) * (0.5 / root);
-    dd sum = two_sum(root, fabs(b.hi));
-    sum.lo += root_low + copysign(1, b.hi) * b.lo;
-    return (fine_sums){a, b, c, sum, c_sign, is_fine};
+    f.sum = two_sum(root, fabs(b.hi));
+    f.sum.lo += root_low + copysign(1, b.hi) * b.lo;
+    return f;
 }
 
 /** x / y rounded, to 2^-74; or -1 where that cannot be told, or has not all
@@ -140,17 +147,16 @@ BRINK_INLINE double quotient_told(dd x, dd y)
 double brink_intersection_time_cr(const double r[3], const double v[3],
                                   double sigma)
 {
-    rate b = rate_of(r, v);
+    if (is_certain_to_miss(r, v, sigma))
+        return (double)INFINITY;
     if (sigma_in_range(sigma)) {
-        if (is_positive(b))
+        fine_sums m = fine_sums_of(r, v, sigma);
+        if (m.b_sign > 0 || m.passes_by)
             return (double)INFINITY;
-        if (is_negative(b)) {
-            if (passes_by(chord_of(r, v, sigma)))
-                return (double)INFINITY;
-            fine_sums m = fine_sums_of(r, v, sigma);
-            if (m.c_sign < 0)
-                return 0;
-            double t = m.is_fine && m.c_sign > 0 ? quotient_told(m.c, m.sum) : -1;
+        if (m.b_sign < 0 && m.c_sign < 0)
+            return 0;
+        if (m.b_sign < 0 && m.c_sign > 0 && m.is_fine) {
+            double t = quotient_told(m.c, m.sum);
             if (t > 0)
                 return t;
         }
@@ -158,29 +164,39 @@ double brink_intersection_time_cr(const double r[3], const double v[3],
     return brink_intersection_time_slow(r, v, sigma);
 }
 
+/** Of a pair that is not far, or not certain to pass; -1 where it cannot be
+ *  told. */
+BRINK_INLINE double parting_time_told(const double r[3], const double v[3],
+                                      double sigma)
+{
+    fine_sums m = fine_sums_of(r, v, sigma);
+    if (m.b_sign > 0 && m.c_sign > 0)
+        return 0;
+    if (!m.is_fine || (m.b_sign >= 0 && m.c_sign >= 0))
+        return -1;
+    return m.b.hi > 0 ? quotient_told(dd_negate(m.c), m.sum)
+                      : quotient_told(m.sum, m.a);
+}
+
+/** The moment of closest approach: b is off by 7u^2 P and P < 33 sqrt(a c), so by
+ *  2^-75 of itself where b^2 > 2^-46 a c. */
+BRINK_INLINE double passing_time_told(const double r[3], const double v[3],
+                                      double ac)
+{
+    dd a = dot_of(v, v), b = dot_of(r, v);
+    b = two_sum(b.hi, b.lo);
+    if (!(b.hi * b.hi > 0x1p-46 * ac))
+        return -1;
+    return b.hi > 0 ? 0 : quotient_told(dd_negate(b), a);
+}
+
 double brink_disjoint_time_cr(const double r[3], const double v[3], double sigma)
 {
-    rate b = rate_of(r, v);
-    if (sigma_in_range(sigma)) {
-        int outside = is_far_outside(r, sigma);
-        if (outside && is_positive(b))
-            return 0;
-        double t = -1;
-        if (outside && is_negative(b) && passes_by(chord_of(r, v, sigma))) {
-            dd fine_b = dot_of(r, v);
-            fine_b = two_sum(fine_b.hi, fine_b.lo);
-            if (b.value < -0x1p31 * b.error) // |b| > 2^-20 P: 7u^2 P are not much
-                t = quotient_told(dd_negate(fine_b), dot_of(v, v));
-        } else {
-            fine_sums m = fine_sums_of(r, v, sigma);
-            if (m.c_sign > 0 && is_positive(b))
-                return 0;
-            if (m.is_fine && (is_negative(b) || m.c_sign < 0))
-                t = m.b.hi > 0 ? quotient_told(dd_negate(m.c), m.sum)
-                               : quotient_told(m.sum, m.a);
-        }
-        if (t > 0)
-            return t;
-    }
-    return brink_disjoint_time_slow(r, v, sigma);
+    double a = dot_rounded(v, v), b = dot_rounded(r, v);
+    double rr = dot_rounded(r, r), ss = sigma * sigma, c = rr - ss, t = -1;
+    if (is_far(rr, ss) && passes(a, b, c) && are_in_range(a, rr) && sigma >= 0)
+        t = passing_time_told(r, v, a * c);
+    else if (sigma_in_range(sigma))
+        t = parting_time_told(r, v, sigma);
+    return t >= 0 ? t : brink_disjoint_time_slow(r, v, sigma);
 }

@@ -10,6 +10,7 @@
 
 #include "event_time.h"
 #include "event_time_fast.h"
+#include "event_time_meeting.h"
 
 enum { BLOCK = 128, GROUP = 8 };
 
@@ -49,9 +50,10 @@ static int find_open(int n, double *t, int *open)
     return count;
 }
 
-/** Looks once more at those still open, gathered so that they lie together. */
-static void look_again(int count, const int *open, const many *p, double *t,
-                       glance *second)
+/** Looks once more at those still open, gathered so that they lie together; the
+ *  number of those that then still are. */
+static int look_again(int count, int *open, const many *p, double *t,
+                      glance *look)
 {
     double of[7][BLOCK], again[BLOCK];
     for (int k = 0; k < count; k++) {
@@ -64,23 +66,33 @@ static void look_again(int count, const int *open, const many *p, double *t,
         of[5][k] = p->vz[i];
         of[6][k] = p->sigma[i];
     }
-    second(count, &(many){of[0], of[1], of[2], of[3], of[4], of[5], of[6]},
-           again);
-    for (int k = 0; k < count; k++)
-        t[open[k]] = again[k];
+    look(count, &(many){of[0], of[1], of[2], of[3], of[4], of[5], of[6]}, again);
+    int left = 0;
+    for (int k = 0; k < count; k++) {
+        int i = open[k];
+        t[i] = again[k];
+        open[left] = i;
+        left += again[k] < 0;
+    }
+    return left;
 }
 
 // --- What is seen at a glance --------------------------------------------------
 
-static void never_meet(int n, const many *p, double *t)
+static void miss(int n, const many *p, double *t)
 {
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
-        rate b = rate_of(r, v);
-        int never =
-            is_positive(b) | (is_negative(b) & passes_by(chord_of(r, v, sigma)));
-        t[i] = never & sigma_in_range(sigma) ? (double)INFINITY : -1;
+        t[i] = is_certain_to_miss(r, v, sigma) ? (double)INFINITY : -1;
     }
+}
+
+/** The time that a verdict means, or -1. */
+BRINK_INLINE double time_if_certain(const meeting *m)
+{
+    double t = m->later ? time_of_meeting(m) : -1;
+    t = m->now ? 0 : t;
+    return m->never ? (double)INFINITY : t;
 }
 
 static void meet(int n, const many *p, double *t)
@@ -88,11 +100,9 @@ static void meet(int n, const many *p, double *t)
     for (int i = 0; i < n; i++) {
         GET_PAIR(p, i);
         sums m = sums_of(r, v, sigma);
-        int approaching = is_negative(rate_of(r, v)) & sigma_in_range(sigma);
-        int touching = approaching & is_touching(r, sigma);
-        double any = meeting_time(&m, dot_of(v, v), approaching);
-        double near = meeting_time_touching(&m, dot_rounded(v, v), touching);
-        t[i] = near >= 0 ? near : any;
+        meeting told = meeting_of(&m);
+        double time = time_if_certain(&told);
+        t[i] = sigma_in_range(sigma) ? time : -1;
     }
 }
 
@@ -129,7 +139,7 @@ static void part(int n, const many *p, double *t)
         double a = dot_rounded(v, v), ss = sigma * sigma;
         sums m = sums_of(r, v, sigma);
         near_sums k = near_sums_of((two_dots){m.b, dot_of(r, r)}, sigma);
-        discriminant far = discriminant_of(dot_of(v, v), &m);
+        discriminant far = discriminant_of(&m);
         discriminant near = discriminant_near(&k, a);
         int far_certain = far.certain & sigma_in_range(sigma);
         int near_certain = near.certain & are_in_range(a, ss) & (sigma > 0);
@@ -174,10 +184,12 @@ static void part_fast(int n, const many *p, double *t)
 // --- The batches ---------------------------------------------------------------
 
 /** One block after the other; the answers are written when a block has been
- *  read.  That glance comes first which had more to say of the block before. */
-static void in_blocks(size_t n, const many *all, double *t, glance *first,
-                      glance *second, scalar *kernel)
+ *  read.  Of the first two glances that comes first which had more to say of the
+ *  block before. */
+static void in_blocks(size_t n, const many *all, double *t,
+                      glance *const glances[], scalar *kernel)
 {
+    int first = 0;
     for (size_t at = 0; at < n; at += BLOCK) {
         int size = n - at < BLOCK ? (int)(n - at) : BLOCK, open[BLOCK + 1];
         const many block = {all->rx + at,   all->ry + at, all->rz + at,
@@ -185,21 +197,18 @@ static void in_blocks(size_t n, const many *all, double *t, glance *first,
                             all->sigma + at};
         const many *p = &block;
         double found[BLOCK];
-        first(size, p, found);
+        glances[first](size, p, found);
         int count = find_open(size, found, open);
-        if (second && count > 0)
-            look_again(count, open, p, found, second);
-        for (int k = 0; k < count; k++)
-            if (found[open[k]] < 0) {
-                GET_PAIR(p, open[k]);
-                found[open[k]] = kernel(r, v, sigma);
-            }
-        memcpy(t + at, found, (size_t)size * sizeof *found);
-        if (second && 2 * count > size) {
-            glance *better = second;
-            second = first;
-            first = better;
+        int is_other_better = glances[1] && 2 * count > size;
+        for (int g = 0; glances[g] && count > 0; g++)
+            if (g != first)
+                count = look_again(count, open, p, found, glances[g]);
+        for (int k = 0; k < count; k++) {
+            GET_PAIR(p, open[k]);
+            found[open[k]] = kernel(r, v, sigma);
         }
+        memcpy(t + at, found, (size_t)size * sizeof *found);
+        first = is_other_better ? 1 - first : first;
     }
 }
 
@@ -209,7 +218,8 @@ void brink_intersection_times(size_t n, const double *rx, const double *ry,
                               const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, never_meet, meet, brink_intersection_time);
+    glance *const glances[] = {miss, meet, NULL};
+    in_blocks(n, &all, t, glances, brink_intersection_time);
 }
 
 void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
@@ -218,7 +228,8 @@ void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
                                    const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, meet_fast, NULL, brink_intersection_time_fast);
+    glance *const glances[] = {meet_fast, NULL};
+    in_blocks(n, &all, t, glances, brink_intersection_time_fast);
 }
 
 void brink_disjoint_times(size_t n, const double *rx, const double *ry,
@@ -226,7 +237,8 @@ void brink_disjoint_times(size_t n, const double *rx, const double *ry,
                           const double *vz, const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, pass, part, brink_disjoint_time);
+    glance *const glances[] = {pass, part, NULL};
+    in_blocks(n, &all, t, glances, brink_disjoint_time);
 }
 
 void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
@@ -235,5 +247,6 @@ void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
                                const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    in_blocks(n, &all, t, pass_fast, part_fast, brink_disjoint_time_fast);
+    glance *const glances[] = {pass_fast, part_fast, NULL};
+    in_blocks(n, &all, t, glances, brink_disjoint_time_fast);
 }

@@ -36,13 +36,11 @@ BRINK_INLINE outline outline_of(const double r[3], const double v[3],
 }
 
 /** Whether |v|^2 and |r|^2 |v|^2 = b^2 + w, and with them all that is made of
- *  them, are within 2^-256 and 2^256, and sigma is a number.  If it is so large
+ *  them, are within 2^-256 and 2^256, and sigma is a radius.  If it is so large
  *  that its square is infinite all is well: so is d, and the time 0. */
 BRINK_INLINE int is_in_range_fast(const outline *o, double sigma)
 {
-    const uint64_t infinite = 2047;
-    return are_in_range(o->a, fma(o->b, o->b, o->w)) &
-           (bits_of(sigma) >> 52 < infinite);
+    return are_in_range(o->a, fma(o->b, o->b, o->w)) & is_radius(sigma);
 }
 
 /** Of a pair that is in range: which of them meet is nothing to be foreseen, so

@@ -16,15 +16,6 @@
  */
 #include "event_time_sums.h"
 
-/** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, with
- *  all that is made of them well within range: by their exponents. */
-BRINK_INLINE int are_in_range(double a, double size)
-{
-    const uint64_t least = 1023 - 256, exponents = 512;
-    uint64_t x = (bits_of(a) >> 52) - least, y = (bits_of(size) >> 52) - least;
-    return (x | y) < exponents;
-}
-
 /** first ? x : y, never a branch. */
 BRINK_INLINE double choose(int first, double x, double y)
 {
@@ -41,31 +32,6 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
 }
 
 // --- Far -----------------------------------------------------------------------
-
-/** Whether c > 2^-10 sigma^2, so that rr < 1025 c.  rr is off by 3u, ss by 1u: c
- *  is off by less than 4200u of itself. */
-BRINK_INLINE int is_far(double rr, double ss)
-{
-    return rr > (1 + 0x1p-10) * ss;
-}
-
-/** 2 max(0, -b), exactly. */
-BRINK_INLINE double twice_ahead(double b)
-{
-    return fabs(b) - b;
-}
-
-/**
- * Whether a far pair parts already or is certain to pass by, a c > b^2.  Their
- * ratio is off by less than 5000u < 2^-40: 4200u are c's, 3u a's, a few those of
- * the roundings, and no more than 200u b's.  That is for b off by 3u P:
- * P^2 <= a rr < 33^2 a c, so 6u |b| P < 200u a c where b^2 < a c.
- */
-BRINK_INLINE int passes(double a, double b, double c)
-{
-    double twice = twice_ahead(b);
-    return (4 - 0x1p-36) * (a * c) > twice * twice;
-}
 
 /** The moment of closest approach, max(0, -b / a). */
 BRINK_INLINE double passing_time(double a, double b)
@@ -106,17 +72,17 @@ typedef struct near_sums {
 } near_sums;
 
 /**
- * The error of c <= 6u^2 R where |c| < R / 3, and the difference of the leading
- * parts is exact: what is left over of r.r is off by 7u^2 r.r and less than
- * 3u r.r, so with that of sigma^2 it is off by 7u^2 r.r + u^2 (3 r.r + sigma^2)
- * = u^2 (9 r.r + R); and a pair that is not far has r.r < 0.501 R.
+ * The error of c <= 7u^2 R where |c| < R / 3, so that r.r < 2/3 R and the
+ * difference of the leading parts is exact: what is left over of r.r is off by
+ * 7u^2 r.r and less than 3u r.r, so with that of sigma^2 it is off by 7u^2 r.r +
+ * u^2 (3 r.r + sigma^2) = u^2 (9 r.r + R).
  */
 BRINK_INLINE near_sums near_sums_of(two_dots x, double sigma)
 {
     dd ss = two_prod(sigma, sigma);
     double size = x.rr.hi + ss.hi;
     return (near_sums){sum_of(x.rv), (x.rr.hi - ss.hi) + (x.rr.lo - ss.lo),
-                       0x1.8p-104 * size, size};
+                       0x1.cp-104 * size, size};
 }
 
 /** As look_closer; with c_error larger than it need be, so that d is larger than

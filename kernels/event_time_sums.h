@@ -35,80 +35,60 @@ BRINK_INLINE int sigma_in_range(double sigma)
     return (sigma > 0x1p-450) & (sigma < 0x1p450);
 }
 
-BRINK_INLINE int is_in_range(double x)
-{
-    return (x > 0x1p-900) & (x < 0x1p1000);
-}
-
 // --- Filters -------------------------------------------------------------------
-
-/** b, whose sign is certain where it is farther than `error` from 0. */
-typedef struct rate {
-    double value, error;
-} rate;
-
-BRINK_INLINE rate rate_of(const double r[3], const double v[3])
-{
-    double x = r[0] * v[0], y = r[1] * v[1], z = r[2] * v[2];
-    double p = fabs(x) + fabs(y) + fabs(z);
-    // The products are off by u of themselves, or 2^-1075, and the sums by 2u P.
-    return (rate){x + y + z, fma(0x1p-51, p, 0x1p-1000)};
-}
-
-BRINK_INLINE int is_positive(rate b)
-{
-    return b.value > b.error;
-}
-
-BRINK_INLINE int is_negative(rate b)
-{
-    return b.value < -b.error;
-}
 
 BRINK_INLINE double dot_rounded(const double x[3], const double y[3])
 {
     return fma(x[0], y[0], fma(x[1], y[1], x[2] * y[2])); // 3u sum |x_i y_i|
 }
 
-/** d, and the s = sigma^2 a + |r x v|^2 that it is a difference of. */
-typedef struct chord {
-    double a, d, s;
-} chord;
-
-/** Error of d <= 7.5u s + 2^-950, where sigma is in range and a > 2^-900:
- *  sigma^2 a is off by 1u + 3u; a component of the cross product, by Kahan's
- *  way, by 2u, its square by 4u, their sum by 3u more; and d, less than s / 2
- *  where it matters, by 1u. */
-BRINK_INLINE chord chord_of(const double r[3], const double v[3], double sigma)
+/** Finite and not negative. */
+BRINK_INLINE int is_radius(double sigma)
 {
-    double xy = r[1] * v[0], yz = r[1] * v[2], zx = r[0] * v[2];
-    double z = fma(r[0], v[1], -xy) - fma(r[1], v[0], -xy);
-    double x = fma(r[1], v[2], -yz) - fma(r[2], v[1], -yz);
-    double y = fma(r[2], v[0], -zx) - fma(r[0], v[2], -zx);
-    double a = dot_rounded(v, v), ss = sigma * sigma;
-    double w = fma(x, x, fma(y, y, z * z));
-    return (chord){a, fma(ss, a, -w), fma(ss, a, w)};
+    const uint64_t infinite = 2047; // and larger with a sign
+    return bits_of(sigma) >> 52 < infinite;
 }
 
-/** Whether c > 0, certainly: r.r is off by 3u, sigma^2 by 1u. */
-BRINK_INLINE int is_far_outside(const double r[3], double sigma)
+/** Whether v.v and R, or what stands for it, are within 2^-256 and 2^256, with
+ *  all that is made of them well within range: by their exponents. */
+BRINK_INLINE int are_in_range(double a, double size)
 {
-    double rr = dot_rounded(r, r), ss = sigma * sigma;
-    return rr - ss > 0x1p-51 * (rr + ss);
+    const uint64_t least = 1023 - 256, exponents = 512;
+    uint64_t x = (bits_of(a) >> 52) - least, y = (bits_of(size) >> 52) - least;
+    return (x | y) < exponents;
 }
 
-/** Certain to pass the sphere by: d < 0. */
-BRINK_INLINE int passes_by(chord k)
+/** Whether c > 2^-10 sigma^2, so that rr < 1025 c.  rr is off by 3u, ss by 1u: c
+ *  is off by less than 4200u of itself. */
+BRINK_INLINE int is_far(double rr, double ss)
 {
-    return (k.a > 0x1p-900) & (k.d < -fma(0x1p-50, k.s, 0x1p-900));
+    return rr > (1 + 0x1p-10) * ss;
 }
 
-// --- Plain: sums that carry their errors ---------------------------------------
+/** 2 max(0, -b), exactly. */
+BRINK_INLINE double twice_ahead(double b)
+{
+    return fabs(b) - b;
+}
 
-/** b and c as unevaluated sums of two doubles, what c may be off by where it
+/**
+ * Whether a far pair parts already or is certain to pass by, a c > b^2.  Their
+ * ratio is off by less than 5000u < 2^-40: 4200u are c's, 3u a's, a few those of
+ * the roundings, and no more than 200u b's.  That is for b off by 3u P:
+ * P^2 <= a rr < 33^2 a c, so 6u |b| P < 200u a c where b^2 < a c.
+ */
+BRINK_INLINE int passes(double a, double b, double c)
+{
+    double twice = twice_ahead(b);
+    return (4 - 0x1p-36) * (a * c) > twice * twice;
+}
+
+// --- Sums that carry their errors ----------------------------------------------
+
+/** a, b and c as unevaluated sums of two doubles, what c may be off by where it
  *  is less than R / 3, and R. */
 typedef struct sums {
-    dd b, c;
+    dd a, b, c;
     double c_error, size;
 } sums;
 
@@ -145,7 +125,8 @@ BRINK_INLINE sums sums_of(const double r[3], const double v[3], double sigma)
     dd s = two_sum(x.hi, y.hi), t = two_sum(s.hi, z.hi), w = two_sum(t.hi, q.hi);
     double rest = ((x.lo + y.lo) + (z.lo + q.lo)) + ((s.lo + t.lo) + w.lo);
     double size = t.hi - q.hi;
-    return (sums){dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
+    return (sums){
+        dot_of(v, v), dot_of(r, v), {w.hi, rest}, 0x1.8p-104 * size, size};
 }
 
 /** c anew, off by 2u^2 of itself and 2^-150 R: the parts left over, which are
@@ -167,17 +148,6 @@ BRINK_INLINE void look_closer(sums *m, const double r[3], double sigma)
     m->c_error = 0x1p-150 * m->size;
 }
 
-/** Whether c is farther above or below 0 than its error. */
-BRINK_INLINE int is_outside(const sums *m)
-{
-    return sum_of(m->c) > 2 * m->c_error;
-}
-
-BRINK_INLINE int is_inside(const sums *m)
-{
-    return sum_of(m->c) < -2 * m->c_error;
-}
-
 /** Whether x is off by less than 2.85u of itself, if by `error`. */
 BRINK_INLINE int is_known(double x, double error)
 {
@@ -193,60 +163,14 @@ typedef struct discriminant {
     int certain;
 } discriminant;
 
-BRINK_INLINE discriminant discriminant_of(dd a, const sums *m)
+BRINK_INLINE discriminant discriminant_of(const sums *m)
 {
+    dd a = m->a;
     dd p = two_prod(m->b.hi, m->b.hi), q = two_prod(a.hi, m->c.hi);
     double rest = fma(a.hi, m->c.lo, a.lo * m->c.hi);
     rest = fma(2 * m->b.hi, m->b.lo, (p.lo - q.lo) - rest);
     double d = (p.hi - q.hi) + rest; // two roundings
     double least = fma(0x1p-44 * a.hi, m->size, 0x1p-900);
     return (discriminant){d, (a.hi > 0x1p-900) & (d > least)};
-}
-
-/** The intersection time within 8 ulp, of a pair that approaches; -1 where it
- *  is not certain.  c is off by 1u + 2.85u; sqrt(d), at most half of the sum,
- *  by 1.2u + 1u, and b by 1u; sum and quotient are rounded: 3.85u + (2.2u +
- *  1u) / 2 + 2u < 8u, and 8u are at most 8 ulp. */
-BRINK_INLINE double meeting_time(const sums *m, dd a, int approaching)
-{
-    discriminant d = discriminant_of(a, m);
-    double c = sum_of(m->c), root = sqrt(d.certain ? d.d : 0);
-    double t = c / (root - sum_of(m->b));
-    int later = approaching & d.certain & is_known(c, m->c_error);
-    double otherwise = approaching & is_inside(m) ? 0 : -1;
-    return later ? t : otherwise;
-}
-
-/** Inside, or so near the surface that most of those which approach will meet. */
-BRINK_INLINE int is_touching(const double r[3], double sigma)
-{
-    return dot_rounded(r, r) < 1.02 * (sigma * sigma);
-}
-
-/**
- * The same of a pair that is touching and does not graze: d = b^2 - a c loses
- * little then.  a may be off by 3u, c by 1u + k, b by 1u; b^2, d, its root, the
- * sum and the quotient are rounded.  With w = sqrt(d) / (sqrt(d) - b), which is
- * at most 1/2, the time is off by
- *
- *     [1 + k + 3 (1 - 2w) + (1 - w)^2 + 2 (1 - w)] / 2w  +  w / 2 + w + 2
- *
- * in u, for c, a, b^2, b, d, its root, and the last two roundings:
- *
- *     d > b^2 / 3, w > 0.366, k < 0.36:    at most 7.8
- *     d > 0.95 b^2, w > 0.493, k < 2.85:   at most 7.97
- */
-BRINK_INLINE double meeting_time_touching(const sums *m, double a,
-                                          int approaching)
-{
-    double b = sum_of(m->b), c = sum_of(m->c);
-    double bb = b * b, d = fma(-a, c, bb);
-    int slanting = (3 * d > bb) & is_known(c, 8 * m->c_error);
-    int head_on = (d > 0.95 * bb) & is_known(c, m->c_error);
-    int in_range = (a > 0x1p-900) & is_in_range(d);
-    int later = approaching & in_range & (slanting | head_on);
-    double t = c / (sqrt(d > 0 ? d : 0) - b);
-    double otherwise = approaching & is_inside(m) ? 0 : -1;
-    return later ? t : otherwise;
 }
 #endif

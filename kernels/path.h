@@ -54,6 +54,7 @@
 #define brink_core_impulse            BRINK_ON_PATH(brink_core_impulse)
 #define brink_step_impulse            BRINK_ON_PATH(brink_step_impulse)
 #define brink_rim_impulse             BRINK_ON_PATH(brink_rim_impulse)
+#define brink_predict                 BRINK_ON_PATH(brink_predict)
 #endif
 
 #ifdef BRINK_DISPATCH

@@ -117,21 +117,26 @@ static BRINK_APART int roots_rescued(double a, double b, double c, double *x0,
     return 2;
 }
 
+/** Whether d < 0, of any a, b, c: h^2 - q.hi and a c - q.hi are rounded once
+ *  each, which changes no order, and where a product overflows they do not
+ *  compare so.  A subnormal h may have lost a bit: its square is nothing beside
+ *  any double. */
+BRINK_INLINE int is_rootless(double h, dd q)
+{
+    return fma(h, h, -q.hi) < q.lo;
+}
+
 /** Where d is in range so was all that it was made of: an overflow would have
  *  left no number, and what underflows, less than 2^-1074, is lost beside it. */
 int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1)
 {
     double h = -0.5 * b;
     dd q = two_prod(a, c);
-    double first = fma(h, h, -q.hi); // d < 0 as surely as first < q.lo
-    if (first < q.lo) {
-        if (first < -0x1p-900)
-            return 0;
-    } else {
-        double d = discriminant_of(h, q);
-        if (is_moderate(d) && bits_of(a) << 1 != 0)
-            return roots_of(a, c, h, d, x0, x1);
-    }
+    if (is_rootless(h, q))
+        return 0;
+    double d = discriminant_of(h, q);
+    if (is_moderate(d) && bits_of(a) << 1 != 0)
+        return roots_of(a, c, h, d, x0, x1);
     return roots_rescued(a, b, c, x0, x1);
 }
 
@@ -168,10 +173,9 @@ BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1
 {
     double h = -0.5 * b;
     dd q = two_prod(a, c);
-    double first = fma(h, h, -q.hi); // d < 0 as surely as first < q.lo
-    if (first < q.lo)
-        return first < -0x1p-900 ? 0 : -1;
-    double d = first - q.lo, size = fma(h, h, fabs(q.hi));
+    if (is_rootless(h, q))
+        return 0;
+    double d = fma(h, h, -q.hi) - q.lo, size = fma(h, h, fabs(q.hi));
     if (!are_moderate(size, fabs(a), fabs(c)) || !(d > 0x1p-40 * size))
         return -1;
     double root = copysign(sqrt(d), h);
@@ -199,7 +203,7 @@ static BRINK_APART int roots_rescued_cr(double a, double b, double c, double *x0
     if (a == 0 || c == 0) // quotients, rounded once
         return roots_rescued(a, b, c, x0, x1);
     balanced e = balance(a, b, c);
-    if (e.b_exponent > -200 && e.b_exponent < 200) {
+    if (e.b_exponent < 200) { // a b that is lost is less than 2^-199 of a root
         double y0, y1;
         int count = roots_told(e.a, e.b, e.c, &y0, &y1);
         if (count == 0)

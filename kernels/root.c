@@ -30,7 +30,7 @@ static wide wide_add(wide x, wide y)
 {
     if (y.m.hi != 0 && (x.m.hi == 0 || x.e < y.e))
         return wide_add(y, x);
-    int shift = y.e - x.e < -2000 ? -2000 : y.e - x.e;
+    int shift = y.e - x.e;
     dd m = {ldexp(y.m.hi, shift), ldexp(y.m.lo, shift)};
     return (wide){dd_add(x.m, m), x.e}; // error <= 4u^2 where the signs are equal
 }
@@ -97,8 +97,7 @@ double brink_dyadic_root(const brink_dyadic *a, const brink_dyadic *b,
     // The root of the larger magnitude is q / a, the other one c / q, with
     // q = -(b + sign(b) sqrt(d)): nothing cancels.
     wide root = wide_sqrt(leading(d)), q = leading(b);
-    int sign = b->sign != 0 ? b->sign : (which == BRINK_UPPER ? -1 : 1) * a->sign;
-    root.m = sign > 0 ? root.m : dd_negate(root.m);
+    root.m = b->sign < 0 ? dd_negate(root.m) : root.m;
     q = wide_add(q, root);
     q.m = dd_negate(q.m); // error <= 8u^2
 

@@ -18,17 +18,14 @@ int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
         c->days *= 2;
     c->day = year / c->days; // powers of two: exact
     c->entry = malloc(slots * sizeof *c->entry);
-    c->next = malloc(slots * sizeof *c->next);
-    c->previous = malloc(slots * sizeof *c->previous);
-    c->place = malloc(slots * sizeof *c->place);
+    c->filed = malloc(slots * sizeof *c->filed);
     c->heap = malloc(slots * sizeof *c->heap);
     c->first = malloc((c->days + 1) * sizeof *c->first);
-    if (!c->entry || !c->next || !c->previous || !c->place || !c->heap ||
-        !c->first) {
+    if (!c->entry || !c->filed || !c->heap || !c->first) {
         brink_calendar_destroy(c);
         return -1;
     }
-    memset(c->place, 0xff, slots * sizeof *c->place);
+    memset(c->filed, 0xff, slots * sizeof *c->filed);
     memset(c->first, 0xff, (c->days + 1) * sizeof *c->first);
     for (uint32_t slot = 0; slot < slots; slot++)
         c->entry[slot] = (brink_entry){.when = BRINK_NEVER};
@@ -38,9 +35,7 @@ int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
 void brink_calendar_destroy(brink_calendar *c)
 {
     free(c->entry);
-    free(c->next);
-    free(c->previous);
-    free(c->place);
+    free(c->filed);
     free(c->heap);
     free(c->first);
     memset(c, 0, sizeof *c);
@@ -69,7 +64,7 @@ static int earlier(const brink_calendar *c, uint32_t a, uint32_t b)
 static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
 {
     c->heap[position] = slot;
-    c->place[slot] = position;
+    c->filed[slot].place = position;
 }
 
 // Moves the hole at `position` to where `slot` belongs, and fills it.
@@ -97,12 +92,12 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 static void list_add(brink_calendar *c, uint32_t list, uint32_t slot)
 {
     const uint32_t head = c->first[list];
-    c->next[slot] = head;
-    c->previous[slot] = NONE;
+    c->filed[slot].next = head;
+    c->filed[slot].previous = NONE;
     if (head != NONE)
-        c->previous[head] = slot;
+        c->filed[head].previous = slot;
     c->first[list] = slot;
-    c->place[slot] = IN_LIST + list;
+    c->filed[slot].place = IN_LIST + list;
 }
 
 // Files a slot that is nowhere under the time of its entry.
@@ -126,7 +121,7 @@ static void file_under(brink_calendar *c, uint32_t slot)
 
 static void take_out(brink_calendar *c, uint32_t slot)
 {
-    const uint32_t place = c->place[slot];
+    const uint32_t place = c->filed[slot].place;
     if (place == NONE)
         return;
     if (place < IN_LIST) {
@@ -134,15 +129,16 @@ static void take_out(brink_calendar *c, uint32_t slot)
         if (last != slot)
             heap_settle(c, place, last);
     } else {
-        const uint32_t before = c->previous[slot], after = c->next[slot];
+        const uint32_t before = c->filed[slot].previous,
+                       after = c->filed[slot].next;
         if (before != NONE)
-            c->next[before] = after;
+            c->filed[before].next = after;
         else
             c->first[place - IN_LIST] = after;
         if (after != NONE)
-            c->previous[after] = before;
+            c->filed[after].previous = before;
     }
-    c->place[slot] = NONE;
+    c->filed[slot].place = NONE;
 }
 
 void brink_calendar_set(brink_calendar *c, uint32_t slot,
@@ -159,8 +155,8 @@ static void refile(brink_calendar *c, uint32_t list)
     uint32_t slot = c->first[list];
     c->first[list] = NONE;
     while (slot != NONE) {
-        const uint32_t next = c->next[slot];
-        c->place[slot] = NONE;
+        const uint32_t next = c->filed[slot].next;
+        c->filed[slot].place = NONE;
         file_under(c, slot);
         slot = next;
     }
@@ -170,7 +166,8 @@ static void refile(brink_calendar *c, uint32_t list)
 static int turn_year(brink_calendar *c)
 {
     int64_t epoch = INT64_MAX;
-    for (uint32_t slot = c->first[c->days]; slot != NONE; slot = c->next[slot])
+    for (uint32_t slot = c->first[c->days]; slot != NONE;
+         slot = c->filed[slot].next)
         if (c->entry[slot].when.epoch < epoch)
             epoch = c->entry[slot].when.epoch;
     if (epoch == INT64_MAX)
@@ -181,12 +178,23 @@ static int turn_year(brink_calendar *c)
     return 1;
 }
 
+// Asks memory for the head of a list, which is soon to be gone through.
+static void fetch(const brink_calendar *c, uint32_t list)
+{
+    const uint32_t slot = c->first[list];
+    if (slot != NONE) {
+        __builtin_prefetch(&c->entry[slot]);
+        __builtin_prefetch(&c->filed[slot]);
+    }
+}
+
 uint32_t brink_calendar_next(brink_calendar *c)
 {
     while (c->heap_count == 0) {
-        if (c->today + 1 < c->days)
+        if (c->today + 1 < c->days) {
             refile(c, ++c->today);
-        else if (!turn_year(c))
+            fetch(c, c->today + 1);
+        } else if (!turn_year(c))
             return c->slots;
     }
     return c->heap[0];
@@ -195,7 +203,7 @@ uint32_t brink_calendar_next(brink_calendar *c)
 static const char *heap_is_valid(const brink_calendar *c)
 {
     for (uint32_t p = 0; p < c->heap_count; p++) {
-        if (c->heap[p] >= c->slots || c->place[c->heap[p]] != p)
+        if (c->heap[p] >= c->slots || c->filed[c->heap[p]].place != p)
             return "the heap and the slots disagree about a place";
         if (p > 0 && earlier(c, c->heap[p], c->heap[(p - 1) / 2]))
             return "the heap is out of order";
@@ -208,9 +216,10 @@ const char *brink_calendar_is_valid(const brink_calendar *c)
     uint32_t filed = c->heap_count;
     for (uint32_t list = 0; list <= c->days; list++) {
         uint32_t before = NONE;
-        for (uint32_t s = c->first[list]; s != NONE; before = s, s = c->next[s]) {
-            if (s >= c->slots || c->place[s] != IN_LIST + list ||
-                c->previous[s] != before)
+        for (uint32_t s = c->first[list]; s != NONE;
+             before = s, s = c->filed[s].next) {
+            if (s >= c->slots || c->filed[s].place != IN_LIST + list ||
+                c->filed[s].previous != before)
                 return "a list and its slots disagree";
             const brink_instant when = c->entry[s].when;
             if (list == c->days ? when.epoch <= c->epoch

@@ -28,18 +28,21 @@ typedef struct brink_entry {
     uint16_t at_once;    // 1: was due when it was predicted; no part of the order
 } brink_entry;
 
+struct brink_filed {         // where a slot is
+    uint32_t place;          // its heap position, or in which list
+    uint32_t next, previous; // in that list
+};
+
 typedef struct brink_calendar {
     uint32_t slots;
     uint32_t days; // a power of two
     double day;    // year / days
     int64_t epoch; // the current year
     uint32_t today;
-    brink_entry *entry; // per slot
-    uint32_t *next;     // per slot: lists of the days and of later years
-    uint32_t *previous;
-    uint32_t *place; // per slot: heap position, or in which list
-    uint32_t *first; // per day, and one more: later years
-    uint32_t *heap;  // slots, earliest first
+    brink_entry *entry;        // per slot
+    struct brink_filed *filed; // per slot
+    uint32_t *first;           // per day, and one more: later years
+    uint32_t *heap;            // slots, earliest first
     uint32_t heap_count;
 } brink_calendar;
 

@@ -14,7 +14,8 @@ static void choose(brink_cells *c, const brink_system *s)
 {
     const double share =
         pow(brink_system_volume(s) / (double)s->count, 1.0 / s->dimensions);
-    const double width = fmax(s->range * SLACK, share);
+    c->reach = s->range * SLACK;
+    const double width = fmax(c->reach, share);
     for (int a = 0; a < 3; a++) {
         const double fit = floor(s->length[a] / width);
         const int there = a < s->dimensions;
@@ -49,79 +50,58 @@ static uint32_t cell_at(const brink_cells *c, const uint64_t x[3])
            (uint32_t)c->count[0] * (index[1] + (uint32_t)c->count[1] * index[2]);
 }
 
+// The last bucket of a cell, which is where there is room or nobody comes after.
+static uint32_t last_of(const brink_cells *c, uint32_t cell)
+{
+    uint32_t at = cell;
+    while (c->bucket[at].fill > BRINK_BUCKET)
+        at = c->bucket[at].fill;
+    return at;
+}
+
 static void enter(brink_cells *c, uint32_t i, uint32_t cell)
 {
-    const uint32_t head = c->first[cell];
-    c->next[i] = head;
-    c->previous[i] = BRINK_NOBODY;
-    if (head != BRINK_NOBODY)
-        c->previous[head] = i;
-    c->first[cell] = i;
+    uint32_t at = last_of(c, cell);
+    if (c->bucket[at].fill == BRINK_BUCKET) {
+        const uint32_t fresh = c->free;
+        c->free = c->bucket[fresh].fill;
+        c->bucket[fresh].fill = 0;
+        c->bucket[at].fill = fresh;
+        at = fresh;
+    }
+    brink_bucket *b = &c->bucket[at];
+    b->who[b->fill++] = i;
     c->cell[i] = cell;
 }
 
+// The place of a particle in its cell's buckets.
+static uint32_t *place_of(const brink_cells *c, uint32_t i)
+{
+    uint32_t at = c->cell[i];
+    for (;;) {
+        brink_bucket *b = &c->bucket[at];
+        for (uint32_t k = 0; k < b->fill && k < BRINK_BUCKET; k++)
+            if (b->who[k] == i)
+                return &b->who[k];
+        at = b->fill;
+    }
+}
+
+// The last of the cell moves up into the place.
 static void leave(brink_cells *c, uint32_t i)
 {
-    const uint32_t before = c->previous[i], after = c->next[i];
-    if (before != BRINK_NOBODY)
-        c->next[before] = after;
-    else
-        c->first[c->cell[i]] = after;
-    if (after != BRINK_NOBODY)
-        c->previous[after] = before;
-}
-
-int brink_cells_create(brink_cells *c, const brink_system *system)
-{
-    memset(c, 0, sizeof *c);
-    c->particles = system->count;
-    choose(c, system);
-    c->first = malloc(c->total * sizeof *c->first);
-    c->next = malloc(c->particles * sizeof *c->next);
-    c->previous = malloc(c->particles * sizeof *c->previous);
-    c->cell = malloc(c->particles * sizeof *c->cell);
-    if (!c->first || !c->next || !c->previous || !c->cell || build_walls(c)) {
-        brink_cells_destroy(c);
-        return -1;
-    }
-    memset(c->first, 0xff, c->total * sizeof *c->first);
-    for (uint32_t i = 0; i < c->particles; i++)
-        enter(c, i, cell_at(c, system->particle[i].x));
-    return 0;
-}
-
-void brink_cells_destroy(brink_cells *c)
-{
-    for (int a = 0; a < 3; a++)
-        free(c->wall[a]);
-    free(c->first);
-    free(c->next);
-    free(c->previous);
-    free(c->cell);
-    memset(c, 0, sizeof *c);
-}
-
-const char *brink_cells_is_valid(const brink_cells *c)
-{
-    uint32_t filed = 0;
-    for (uint32_t cell = 0; cell < c->total; cell++) {
-        uint32_t before = BRINK_NOBODY;
-        for (uint32_t i = c->first[cell]; i != BRINK_NOBODY; i = c->next[i]) {
-            if (i >= c->particles || c->cell[i] != cell ||
-                c->previous[i] != before)
-                return "a cell's list and its particles disagree";
-            if (++filed > c->particles)
-                return "a cell's list runs in a circle";
-            before = i;
-        }
-    }
-    return filed == c->particles ? NULL : "a particle is in no cell";
-}
-
-void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell)
-{
-    leave(c, i);
-    enter(c, i, cell);
+    const uint32_t cell = c->cell[i], at = last_of(c, cell);
+    brink_bucket *last = &c->bucket[at];
+    uint32_t *place = place_of(c, i);
+    *place = last->who[--last->fill];
+    if (last->fill > 0 || at == cell)
+        return;
+    uint32_t before = cell;
+    while (c->bucket[before].fill != at)
+        before = c->bucket[before].fill;
+    c->bucket[before].fill = BRINK_BUCKET;
+    last->fill = c->free;
+    c->free = at;
 }
 
 static void split(const brink_cells *c, uint32_t cell, int index[3])
@@ -139,31 +119,142 @@ static uint32_t join(const brink_cells *c, const int index[3])
     return (uint32_t)(index[0] + c->count[0] * row);
 }
 
-double brink_cells_crossing(const brink_cells *c, const brink_system *system,
-                            uint32_t i, double offset, brink_crossing *crossing)
+// The cells of the block low..high around the one at `index`, wrapped round.
+static int block(const brink_cells *c, const int index[3], const int low[3],
+                 const int high[3], uint32_t out[27])
 {
-    const brink_particle *p = &system->particle[i];
-    double soonest = (double)INFINITY;
-    int index[3];
-    split(c, c->cell[i], index);
-    for (int a = 0; a < system->dimensions; a++) {
-        const double v = p->v[a];
-        if (v == 0)
-            continue;
-        // The half-space [S16 eq. 4] of the wall ahead; its rate -|v| is
-        // negative.
-        const int up = v > 0;
-        // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
-        const uint64_t wall = c->wall[a][index[a] + up];
-        const int64_t units = (int64_t)(up ? wall - p->x[a] : p->x[a] - wall);
-        const double gap = (double)units * system->unit[a];
-        const double t = gap / fabs(v) - (offset - p->since);
-        if (t < soonest) {
-            soonest = t;
-            *crossing = (brink_crossing){a, up ? 1 : -1};
+    int side[3][3], n = 0;
+    const int nx = c->count[0], ny = c->count[1];
+    for (int a = 0; a < 3; a++)
+        for (int d = low[a]; d <= high[a]; d++) {
+            const int k = index[a] + d;
+            side[a][d - low[a]] = k < 0              ? k + c->count[a]
+                                  : k >= c->count[a] ? k - c->count[a]
+                                                     : k;
+        }
+    for (int z = 0; z <= high[2] - low[2]; z++)
+        for (int y = 0; y <= high[1] - low[1]; y++) {
+            const int row = nx * (side[1][y] + ny * side[2][z]);
+            for (int x = 0; x <= high[0] - low[0]; x++)
+                out[n++] = (uint32_t)(row + side[0][x]);
+        }
+    return n;
+}
+
+static void reach(const brink_cells *c, int low[3], int high[3])
+{
+    for (int a = 0; a < 3; a++) {
+        high[a] = c->count[a] > 1;
+        low[a] = -high[a];
+    }
+}
+
+int brink_cells_create(brink_cells *c, const brink_system *system)
+{
+    memset(c, 0, sizeof *c);
+    c->particles = system->count;
+    choose(c, system);
+    // Each further bucket comes after a full one, which no other comes after.
+    const uint32_t further = c->particles / BRINK_BUCKET;
+    c->bucket = calloc((size_t)c->total + further, sizeof *c->bucket);
+    c->cell = malloc(c->particles * sizeof *c->cell);
+    if (!c->bucket || !c->cell || build_walls(c)) {
+        brink_cells_destroy(c);
+        return -1;
+    }
+    c->free = c->total;
+    for (uint32_t k = 0; k < further; k++)
+        c->bucket[c->total + k].fill = c->total + k + 1;
+    for (uint32_t i = 0; i < c->particles; i++)
+        enter(c, i, cell_at(c, system->particle[i].x));
+    return 0;
+}
+
+void brink_cells_destroy(brink_cells *c)
+{
+    for (int a = 0; a < 3; a++)
+        free(c->wall[a]);
+    free(c->bucket);
+    free(c->cell);
+    memset(c, 0, sizeof *c);
+}
+
+const char *brink_cells_is_valid(const brink_cells *c)
+{
+    uint32_t filed = 0, who[BRINK_HANDFUL];
+    for (uint32_t cell = 0; cell < c->total; cell++) {
+        brink_tour tour = brink_tour_of(&cell, 1);
+        for (int n; (n = brink_tour_next(c, &tour, who)) > 0;) {
+            filed += (uint32_t)n;
+            if (filed > c->particles)
+                return "more particles are in cells than there are";
+            for (int k = 0; k < n; k++)
+                if (who[k] >= c->particles || c->cell[who[k]] != cell)
+                    return "a cell and its particles disagree";
         }
     }
-    return fmax(soonest, 0.0);
+    return filed == c->particles ? NULL : "a particle is in no cell";
+}
+
+void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell)
+{
+    leave(c, i);
+    enter(c, i, cell);
+}
+
+// A cell's walls on one axis, and what a particle in it has to do with them.
+typedef struct gap {
+    double below, above; // how far the particle is from them
+    double v;
+} gap;
+
+// When a particle meets the wall ahead [S16 eq. 4], from its own time on.  Gap
+// and speed have one sign, or it is beyond the wall by a rounding.
+static double time_to_wall(gap g)
+{
+    if (g.v == 0)
+        return (double)INFINITY;
+    return (g.v > 0 ? g.above : -g.below) / g.v;
+}
+
+// Which walls come within reach some time from dt to dt_then; both do of a
+// particle that rests for good, whose 0 * inf is no number.
+static void look(gap g, double dt, double dt_then, double reach, int *low,
+                 int *high)
+{
+    const double from = g.v * dt, to = g.v * dt_then;
+    *low = -!((g.below + from > reach) & (g.below + to > reach));
+    *high = !((g.above - from > reach) & (g.above - to > reach));
+}
+
+void brink_cells_stay(const brink_cells *c, const brink_system *system,
+                      uint32_t i, double offset, brink_stay *stay)
+{
+    const brink_particle *p = &system->particle[i];
+    int low[3], high[3], index[3], first = 0;
+    gap gaps[3];
+    double soonest = (double)INFINITY;
+    reach(c, low, high);
+    split(c, c->cell[i], index);
+    for (int a = 0; a < system->dimensions; a++) {
+        // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
+        const uint64_t *wall = &c->wall[a][index[a]];
+        const double unit = system->unit[a];
+        gaps[a] = (gap){(double)(int64_t)(p->x[a] - wall[0]) * unit,
+                        (double)(int64_t)(wall[1] - p->x[a]) * unit, p->v[a]};
+        const double t = time_to_wall(gaps[a]);
+        // Chosen, not branched to: no processor could foresee which.
+        first = t < soonest ? a : first;
+        soonest = t < soonest ? t : soonest;
+    }
+    const double until = soonest + p->since;
+    stay->until = until > offset ? until : offset;
+    stay->crossing = (brink_crossing){first, gaps[first].v > 0 ? 1 : -1};
+    for (int a = 0; a < system->dimensions; a++)
+        if (c->images[a] == 1)
+            look(gaps[a], offset - p->since, stay->until - p->since, c->reach,
+                 &low[a], &high[a]);
+    stay->cells = block(c, index, low, high, stay->near);
 }
 
 int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
@@ -177,47 +268,28 @@ int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
     return 1;
 }
 
-// The cells of the block low..high around `cell`, wrapped round.
-static int block(const brink_cells *c, uint32_t cell, const int low[3],
-                 const int high[3], uint32_t out[27])
-{
-    int index[3], side[3][3], n = 0;
-    split(c, cell, index);
-    for (int a = 0; a < 3; a++)
-        for (int d = low[a]; d <= high[a]; d++) {
-            const int k = index[a] + d;
-            side[a][d - low[a]] = k < 0              ? k + c->count[a]
-                                  : k >= c->count[a] ? k - c->count[a]
-                                                     : k;
-        }
-    for (int z = 0; z <= high[2] - low[2]; z++)
-        for (int y = 0; y <= high[1] - low[1]; y++)
-            for (int x = 0; x <= high[0] - low[0]; x++)
-                out[n++] = join(c, (int[3]){side[0][x], side[1][y], side[2][z]});
-    return n;
-}
-
-static void reach(const brink_cells *c, int low[3], int high[3])
-{
-    for (int a = 0; a < 3; a++) {
-        high[a] = c->count[a] > 1;
-        low[a] = -high[a];
-    }
-}
-
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
 {
-    int low[3], high[3];
+    int low[3], high[3], index[3];
     reach(c, low, high);
-    return block(c, cell, low, high, around);
+    split(c, cell, index);
+    return block(c, index, low, high, around);
 }
 
-int brink_cells_ahead(const brink_cells *c, uint32_t cell,
-                      brink_crossing crossing, uint32_t ahead[27])
+int brink_tour_further(const brink_cells *c, brink_tour *tour,
+                       uint32_t who[BRINK_HANDFUL])
 {
-    int low[3], high[3];
-    reach(c, low, high);
-    if (c->images[crossing.axis] == 1)
-        low[crossing.axis] = high[crossing.axis] = crossing.way;
-    return block(c, cell, low, high, ahead);
+    uint32_t n = 0, at = tour->further;
+    while (at > BRINK_BUCKET && n <= BRINK_HANDFUL - BRINK_BUCKET) {
+        const brink_bucket *b = &c->bucket[at];
+        at = b->fill;
+        for (uint32_t k = 0; k < BRINK_BUCKET && k < at; k++)
+            who[n++] = b->who[k];
+    }
+    tour->further = at > BRINK_BUCKET ? at : 0;
+    if (!tour->further) {
+        tour->cell++;
+        tour->cells--;
+    }
+    return (int)n;
 }

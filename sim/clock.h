@@ -19,7 +19,21 @@ typedef struct brink_instant {
 /** t + dt.  dt >= 0 or +inf; NEVER for +inf, for a sum beyond 2^62 years and
  * where t is NEVER.  The sum is rounded once, to a double offset counted from t's
  * own year. */
-brink_instant brink_instant_after(double year, brink_instant t, double dt);
+static inline brink_instant brink_instant_after(double year, brink_instant t,
+                                                double dt)
+{
+    if (t.epoch == INT64_MAX || !(dt <= 0x1.fffffffffffffp1023))
+        return BRINK_NEVER;
+    const double sum = t.offset + dt; // the one rounding
+    if (sum < year)
+        return (brink_instant){t.epoch, sum};
+    // The year is a power of two: quotient, product and remainder are exact.
+    const double years = sum / year;
+    if (!(years < 0x1p61) || t.epoch > INT64_C(1) << 61)
+        return BRINK_NEVER;
+    const int64_t whole = (int64_t)years;
+    return (brink_instant){t.epoch + whole, sum - (double)whole * year};
+}
 
 /** -1, 0, 1 as a is before, at, after b. */
 static inline int brink_instant_compare(brink_instant a, brink_instant b)

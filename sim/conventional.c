@@ -92,15 +92,15 @@ static void predict_captured(search *s, uint32_t k, const double r[3],
     offer_step(s, k, r, v, level, BRINK_OUTWARD);
 }
 
-// Everybody in these cells; captured pairs only if they are not known already.
-static void predict_in(search *s, const uint32_t *cells, int count,
-                       int knows_captured)
+static void predict_in(search *s, const uint32_t *cells, int count)
 {
     const brink_run *house = s->house;
     const brink_system *system = &house->system;
-    for (int n = 0; n < count; n++)
-        for (uint32_t k = house->cells.first[cells[n]]; k != BRINK_NOBODY;
-             k = house->cells.next[k]) {
+    uint32_t who[BRINK_HANDFUL];
+    brink_tour tour = brink_tour_of(cells, count);
+    for (int n; (n = brink_tour_next(&house->cells, &tour, who)) > 0;)
+        for (int m = 0; m < n; m++) {
+            const uint32_t k = who[m];
             if (k == s->i)
                 continue;
             double r[3], v[3];
@@ -110,7 +110,7 @@ static void predict_in(search *s, const uint32_t *cells, int count,
             const int level = s->rule->level(house, s->i, k, r);
             if (level == 0)
                 predict_stranger(s, k, r, v);
-            else if (!knows_captured)
+            else
                 predict_captured(s, k, r, v, level);
         }
 }
@@ -121,37 +121,24 @@ static void keep(brink_conventional *c, const search *s)
     brink_calendar_set(&c->house.calendar, s->i, &s->best);
 }
 
+// Both slots of particle i, as the run has them in one.
 static void predict(brink_conventional *c, uint32_t i)
 {
-    const brink_cells *cells = &c->house.cells;
-    search s = {&c->house, c->rule, i, {.when = BRINK_NEVER}, 0};
-    uint32_t around[27];
-    predict_in(&s, around, brink_cells_around(cells, cells->cell[i], around), 0);
+    brink_run *house = &c->house;
+    const brink_system *system = &house->system;
+    const double offset = house->now.offset;
+    const brink_instant new_year = {system->epoch, 0.0};
+    search s = {house, c->rule, i, {.when = BRINK_NEVER}, 0};
+    brink_stay stay;
+    brink_cells_stay(&house->cells, system, i, offset, &stay);
+    const brink_entry crossing = {
+        .when = brink_instant_after(system->year, new_year, stay.until),
+        .i = i,
+        .j = (uint32_t)(2 * stay.crossing.axis + (stay.crossing.way > 0)),
+        .kind = BRINK_ENTRY_CELL};
+    brink_calendar_set(&house->calendar, system->count + i, &crossing);
+    predict_in(&s, stay.near, stay.cells);
     keep(c, &s);
-}
-
-static void predict_ahead(brink_conventional *c, uint32_t i, brink_crossing way)
-{
-    const brink_cells *cells = &c->house.cells;
-    search s = {&c->house, c->rule, i, c->house.calendar.entry[i], c->seen[i]};
-    uint32_t ahead[27];
-    predict_in(&s, ahead, brink_cells_ahead(cells, cells->cell[i], way, ahead),
-               1);
-    keep(c, &s);
-}
-
-static void predict_crossing(brink_run *house, uint32_t i)
-{
-    const brink_system *s = &house->system;
-    brink_crossing next = {0, 0};
-    const double dt =
-        brink_cells_crossing(&house->cells, s, i, house->now.offset, &next);
-    const brink_entry entry = {.when =
-                                   brink_instant_after(s->year, house->now, dt),
-                               .i = i,
-                               .j = (uint32_t)(2 * next.axis + (next.way > 0)),
-                               .kind = BRINK_ENTRY_CELL};
-    brink_calendar_set(&house->calendar, s->count + i, &entry);
 }
 
 static void cross_wall(brink_conventional *c, const brink_entry *entry)
@@ -161,8 +148,7 @@ static void cross_wall(brink_conventional *c, const brink_entry *entry)
     brink_system_advance(&c->house.system, i, entry->when.offset);
     brink_cells_cross(&c->house.cells, i, way);
     c->house.tally.cell++;
-    predict_crossing(&c->house, i);
-    predict_ahead(c, i, way);
+    predict(c, i);
 }
 
 // The impulse of the method's choice; returns what it takes to have happened. Its
@@ -257,8 +243,6 @@ static enum brink_run_status meet(brink_conventional *c, const brink_entry *entr
     count_event(c, entry, kind, &m, m.step + inside, m.step + ends_inside);
     if (brink_states_set(&house->states, s, i, j, m.step + ends_inside))
         return BRINK_RUN_NO_MEMORY;
-    predict_crossing(house, i);
-    predict_crossing(house, j);
     predict(c, i);
     predict(c, j);
     return c->still > BRINK_STANDSTILL ? BRINK_RUN_STUCK : BRINK_RUN_REACHED;
@@ -279,7 +263,6 @@ static enum brink_run_status execute(brink_conventional *c, uint32_t slot)
     if (house->system.particle[partner].generation == entry.generation)
         return meet(c, &entry, c->seen[slot]);
     house->tally.stale++;
-    brink_system_advance(&house->system, slot, entry.when.offset);
     predict(c, slot);
     return BRINK_RUN_REACHED;
 }
@@ -306,7 +289,12 @@ int brink_conventional_create(brink_conventional *c, brink_system *system,
         return -1;
     c->rule = rule;
     c->seen = calloc(count, sizeof *c->seen);
-    if (c->seen == NULL) {
+    // Two slots a particle, unlike a run's: its first meeting and its crossing.
+    brink_calendar *calendar = &c->house.calendar;
+    brink_calendar_destroy(calendar);
+    if (c->seen == NULL ||
+        brink_calendar_create(calendar, 2 * count, c->house.system.year,
+                              2 * count)) {
         brink_conventional_destroy(c);
         return -1;
     }
@@ -329,12 +317,12 @@ double brink_energy_by_position(const brink_run *run)
     brink_sum sum = {0};
     brink_sum_add(&sum, brink_system_kinetic_energy(s));
     for (uint32_t i = 0; i < s->count; i++) {
-        uint32_t around[27];
-        const int cells =
-            brink_cells_around(&run->cells, run->cells.cell[i], around);
-        for (int n = 0; n < cells; n++)
-            for (uint32_t k = run->cells.first[around[n]]; k != BRINK_NOBODY;
-                 k = run->cells.next[k]) {
+        uint32_t around[27], who[BRINK_HANDFUL];
+        brink_tour tour = brink_tour_of(
+            around, brink_cells_around(&run->cells, run->cells.cell[i], around));
+        for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
+            for (int m = 0; m < n; m++) {
+                const uint32_t k = who[m];
                 if (k <= i)
                     continue;
                 const brink_potential *p = brink_system_potential(s, i, k);

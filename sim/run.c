@@ -17,8 +17,7 @@ static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry
     if (!brink_cells_cross(&run->cells, i, crossing))
         return BRINK_RUN_REFUSED;
     run->tally.cell++;
-    brink_predict_crossing(run, i, offset);
-    brink_predict_ahead(run, i, offset, crossing);
+    brink_predict(run, i, offset);
     return BRINK_RUN_REACHED;
 }
 
@@ -101,8 +100,6 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
         run->tally.refused += applied > 0;
         return applied > 0 ? BRINK_RUN_REFUSED : BRINK_RUN_NO_MEMORY;
     }
-    brink_predict_crossing(run, i, offset);
-    brink_predict_crossing(run, j, offset);
     brink_predict(run, i, offset);
     brink_predict(run, j, offset);
     // A scene may have as many simultaneous events as it has pairs in contact,
@@ -123,7 +120,6 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
     const uint32_t partner = slot == entry.i ? entry.j : entry.i;
     if (s->particle[partner].generation != entry.generation) {
         run->tally.stale++;
-        brink_system_advance(s, slot, entry.when.offset);
         brink_predict(run, slot, entry.when.offset);
         return BRINK_RUN_REACHED;
     }
@@ -165,29 +161,35 @@ static void list_images(brink_run *run)
             }
 }
 
-// Levels by position, of every pair of adjacent particles.
-static int find_levels(brink_run *run)
+// Levels by position, of i and those in adjacent cells.
+static int find_levels_of(brink_run *run, uint32_t i)
 {
     const brink_system *s = &run->system;
-    for (uint32_t i = 0; i < s->count; i++) {
-        uint32_t around[27];
-        const int cells =
-            brink_cells_around(&run->cells, run->cells.cell[i], around);
-        for (int n = 0; n < cells; n++)
-            for (uint32_t k = run->cells.first[around[n]]; k != BRINK_NOBODY;
-                 k = run->cells.next[k]) {
-                if (k <= i)
-                    continue;
-                const brink_potential *p = brink_system_potential(s, i, k);
-                double r[3];
-                brink_system_separation(s, i, k, 0.0, r);
-                const int seen = brink_step_level_at(p, r);
-                const int most = brink_potential_levels(p) - 1;
-                if (brink_states_set(&run->states, s, i, k,
-                                     seen < most ? seen : most))
-                    return -1;
-            }
-    }
+    uint32_t around[27], who[BRINK_HANDFUL];
+    brink_tour tour = brink_tour_of(
+        around, brink_cells_around(&run->cells, run->cells.cell[i], around));
+    for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
+        for (int m = 0; m < n; m++) {
+            const uint32_t k = who[m];
+            if (k <= i)
+                continue;
+            const brink_potential *p = brink_system_potential(s, i, k);
+            double r[3];
+            brink_system_separation(s, i, k, 0.0, r);
+            const int seen = brink_step_level_at(p, r);
+            const int most = brink_potential_levels(p) - 1;
+            if (brink_states_set(&run->states, s, i, k,
+                                 seen < most ? seen : most))
+                return -1;
+        }
+    return 0;
+}
+
+static int find_levels(brink_run *run)
+{
+    for (uint32_t i = 0; i < run->system.count; i++)
+        if (find_levels_of(run, i))
+            return -1;
     return 0;
 }
 
@@ -198,10 +200,12 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     memset(system, 0, sizeof *system);
     run->tier = tier;
     const uint32_t n = run->system.count;
-    run->mark = calloc(n, 1);
-    if (!run->mark || brink_cells_create(&run->cells, &run->system) ||
+    run->is_partner = calloc(n, 1);
+    // A year is as long as a particle takes to cross a cell or two (see
+    // brink_kinetic_year), so that a day has an event or a few.
+    if (!run->is_partner || brink_cells_create(&run->cells, &run->system) ||
         brink_states_create(&run->states, &run->system) ||
-        brink_calendar_create(&run->calendar, 2 * n, run->system.year, 2 * n)) {
+        brink_calendar_create(&run->calendar, n, run->system.year, 2 * n)) {
         brink_run_destroy(run);
         return -1;
     }
@@ -217,10 +221,8 @@ int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier)
         brink_run_destroy(run);
         return -1;
     }
-    for (uint32_t i = 0; i < run->system.count; i++) {
+    for (uint32_t i = 0; i < run->system.count; i++)
         brink_predict(run, i, 0.0);
-        brink_predict_crossing(run, i, 0.0);
-    }
     run->energy_begin = brink_run_energy(run);
     run->kinetic_begin = brink_system_kinetic_energy(&run->system);
     brink_system_momentum(&run->system, run->momentum_begin);
@@ -233,7 +235,7 @@ void brink_run_destroy(brink_run *run)
     brink_states_destroy(&run->states);
     brink_cells_destroy(&run->cells);
     brink_calendar_destroy(&run->calendar);
-    free(run->mark);
+    free(run->is_partner);
     memset(run, 0, sizeof *run);
 }
 

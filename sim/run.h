@@ -50,8 +50,7 @@ typedef struct brink_run {
     brink_system system;
     brink_states states;
     brink_cells cells;
-    brink_calendar calendar; // slot i: the first pair event of particle i;
-                             // slot count + i: its next crossing
+    brink_calendar calendar; // slot i: what particle i waits for
     enum brink_tier tier;
     brink_instant now;
     brink_tally tally;
@@ -62,7 +61,7 @@ typedef struct brink_run {
     double momentum_begin[3];
     double image[27][3]; // shifts to the images a particle is looked for in
     int images;
-    uint8_t *mark; // per particle, scratch: 1 while it is a known partner
+    uint8_t *is_partner; // per particle, scratch: of the one being predicted
 } brink_run;
 
 enum brink_run_status {

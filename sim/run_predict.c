@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: MIT
+#include <brink/path.h>
+
+#include "run_batch.h"
 #include "run_predict.h"
-#include <brink/event_time.h>
 #include <math.h>
+#include <string.h>
 
-typedef double event_time(const double r[3], const double v[3], double sigma);
+// Memory is asked for before it is needed, many places at once.
+#define BRINK_PREFETCH(address) __builtin_prefetch(address)
 
-static const struct {
-    event_time *intersection, *disjoint;
-} tiers[] = {
-    [BRINK_TIER_FAST] = {brink_intersection_time_fast, brink_disjoint_time_fast},
-    [BRINK_TIER_PLAIN] = {brink_intersection_time, brink_disjoint_time},
-    [BRINK_TIER_CR] = {brink_intersection_time_cr, brink_disjoint_time_cr},
-};
-
-// The search for a slot's next pair event: the earliest found so far.
+// The search for what particle i waits for: the earliest found so far, and those
+// who are still to be looked at.
 typedef struct search {
-    const brink_run *run;
+    brink_run *run;
     uint32_t i;
     double offset;  // of now, in the current year
-    double soonest; // offset + dt of `best`; its instant follows from this sum
+    double soonest; // that of `best`, whose instant follows from it
     brink_entry best;
+    brink_batch inward, outward; // by the way they would meet the step
 } search;
 
 static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
 {
-    const double sum = s->offset + dt;
-    if (!(sum <= s->soonest) || isinf(sum))
-        return;
     const brink_run *run = s->run;
     const brink_instant now = {run->system.epoch, s->offset};
     const brink_entry found = {
@@ -39,117 +34,258 @@ static void offer(search *s, uint32_t k, double dt, enum brink_entry_kind kind)
     };
     if (brink_entry_compare(&found, &s->best) < 0) {
         s->best = found;
-        s->soonest = sum;
+        s->soonest = s->offset + dt;
     }
 }
 
-// Relative position and velocity of i and k, as i's prediction sees them.
-static void relative(const search *s, uint32_t k, double r[3], double v[3])
+// The earliest of some times, which have room for three more; +inf of none.
+static double first_of(double *t, int count)
 {
-    const brink_system *system = &s->run->system;
-    brink_system_separation(system, s->i, k, s->offset, r);
-    for (int a = 0; a < 3; a++)
-        v[a] = system->particle[s->i].v[a] - system->particle[k].v[a];
-    // With images the particles can drift past half the box from where they were.
-    for (int a = 0; a < system->dimensions; a++)
-        if (s->run->cells.images[a] > 1)
-            r[a] -= system->length[a] * rint(r[a] / system->length[a]);
+    double first[4] = {(double)INFINITY, (double)INFINITY, (double)INFINITY,
+                       (double)INFINITY};
+    for (int n = count; n % 4 != 0; n++)
+        t[n] = (double)INFINITY;
+    // In fours, which do not wait for each other.
+    for (int n = 0; n < count; n += 4)
+        for (int k = 0; k < 4; k++)
+            first[k] = t[n + k] < first[k] ? t[n + k] : first[k];
+    const double a = first[0] < first[1] ? first[0] : first[1];
+    const double b = first[2] < first[3] ? first[2] : first[3];
+    return a < b ? a : b;
 }
 
-// A captured pair can meet the step inside and the step around it [S16 alg. 3].
-static void predict_partner(search *s, uint32_t k, int level)
+// Offers what those in a batch have, and empties it: all that are not later than
+// the earliest, which is that one alone as a rule.
+static void look_at(search *s, brink_batch *b, brink_batch_times *times,
+                    enum brink_entry_kind kind)
 {
-    const brink_potential *p = brink_system_potential(&s->run->system, s->i, k);
-    const enum brink_tier tier = s->run->tier;
-    double r[3], v[3];
-    relative(s, k, r, v);
-    if (level < p->count)
-        offer(s, k, tiers[tier].intersection(r, v, p->distance[level]),
-              BRINK_ENTRY_INWARD);
-    offer(s, k, tiers[tier].disjoint(r, v, p->distance[level - 1]),
-          BRINK_ENTRY_OUTWARD);
+    double t[BRINK_BATCH];
+    const int count = b->count;
+    b->count = 0;
+    if (count == 0)
+        return;
+    times((size_t)count, b->r[0], b->r[1], b->r[2], b->v[0], b->v[1], b->v[2],
+          b->step, t);
+    const double offset = s->offset, first = offset + first_of(t, count);
+    if (!(first <= s->soonest) || isinf(first))
+        return;
+    int who = 0, ties = 0;
+    for (int n = 0; n < count; n++) {
+        const int is_first = offset + t[n] <= first;
+        ties += is_first;
+        who = is_first ? n : who;
+    }
+    if (ties == 1)
+        offer(s, b->who[who], t[who], kind);
+    else
+        for (int n = 0; n < count; n++)
+            if (offset + t[n] <= first)
+                offer(s, b->who[n], t[n], kind);
+}
+
+static void look_inward(search *s)
+{
+    look_at(s, &s->inward, brink_batch_tiers[s->run->tier].intersection,
+            BRINK_ENTRY_INWARD);
+}
+
+static void look_outward(search *s)
+{
+    look_at(s, &s->outward, brink_batch_tiers[s->run->tier].disjoint,
+            BRINK_ENTRY_OUTWARD);
+}
+
+// All axes at once, in three lanes of four.
+typedef double lanes __attribute__((vector_size(32)));
+typedef int64_t units __attribute__((vector_size(32)));
+_Static_assert(offsetof(brink_particle, v) == 24 &&
+                   offsetof(brink_particle, since) == 48,
+               "four lanes from x[0] or v[0] are inside a particle");
+
+static inline void load(units *x, lanes *v, const brink_particle *p)
+{
+    memcpy(x, p, sizeof *x);
+    memcpy(v, (const char *)p + offsetof(brink_particle, v), sizeof *v);
+}
+
+// Adds those of `who` to a batch that has room for them, in their nearest images,
+// as brink_system_separation has them, with their outermost steps.  A run spends
+// most of its time here.
+static void add_nearest(const search *s, brink_batch *b, const uint32_t *who,
+                        int count)
+{
+    const brink_system *system = &s->run->system;
+    const brink_particle *const particle = system->particle, *p = &particle[s->i];
+    const brink_potential *const with =
+        &system->potential[p->species * (uint32_t)system->species_count];
+    const double offset = s->offset, *u = system->unit;
+    const lanes unit = {u[0], u[1], u[2], 0.0};
+    units px, qx;
+    lanes pv, qv;
+    load(&px, &pv, p);
+    const lanes way = pv * (offset - p->since);
+    const int begin = b->count, end = begin + count;
+    for (int n = begin; n < end; n++) {
+        const uint32_t k = who[n - begin];
+        const brink_particle *q = &particle[k];
+        load(&qx, &qv, q);
+        const lanes v = pv - qv;
+        const lanes r = __builtin_convertvector(px - qx, lanes) * unit +
+                        (way - qv * (offset - q->since));
+        b->who[n] = k;
+        b->step[n] = with[q->species].distance[0];
+        for (int a = 0; a < 3; a++) {
+            b->r[a][n] = r[a];
+            b->v[a][n] = v[a];
+        }
+    }
+    b->count = end;
+}
+
+// With images the particles can drift past half the box from where they were.
+static void wrap(const search *s, brink_batch *b)
+{
+    const brink_system *system = &s->run->system;
+    for (int a = 0; a < system->dimensions; a++)
+        if (s->run->cells.images[a] > 1)
+            for (int n = 0; n < b->count; n++)
+                b->r[a][n] -=
+                    system->length[a] * rint(b->r[a][n] / system->length[a]);
+}
+
+// A captured pair can meet the step around it and the step inside [S16 alg. 3].
+static void add_steps_inside(search *s, const brink_link *link)
+{
+    brink_batch *b = &s->outward;
+    for (int n = 0; n < b->count; n++) {
+        const brink_potential *p =
+            brink_system_potential(&s->run->system, s->i, b->who[n]);
+        const int level = link[n].level;
+        const double r[3] = {b->r[0][n], b->r[1][n], b->r[2][n]};
+        const double v[3] = {b->v[0][n], b->v[1][n], b->v[2][n]};
+        b->step[n] = p->distance[level - 1];
+        if (level < p->count &&
+            brink_batch_add(&s->inward, b->who[n], r, v, p->distance[level]))
+            look_inward(s);
+    }
+}
+
+static void add_partners(search *s)
+{
+    const brink_link *link = brink_states_links(&s->run->states, s->i);
+    uint32_t left = s->run->states.circle[s->i].count, who[BRINK_BATCH];
+    while (left > 0) {
+        const uint32_t count = left < BRINK_BATCH ? left : BRINK_BATCH;
+        for (uint32_t n = 0; n < count; n++)
+            who[n] = link[n].partner;
+        add_nearest(s, &s->outward, who, (int)count);
+        wrap(s, &s->outward);
+        add_steps_inside(s, link);
+        look_outward(s);
+        link += count;
+        left -= count;
+    }
 }
 
 // An uncaptured pair can meet the outermost step, in any image.
-static void predict_stranger(search *s, uint32_t k)
+static void add_images(search *s, const uint32_t *who, int count)
 {
     const brink_run *run = s->run;
-    const brink_potential *p = brink_system_potential(&run->system, s->i, k);
-    double r[3], v[3];
-    relative(s, k, r, v);
-    for (int m = 0; m < run->images; m++) {
-        const double *shift = run->image[m];
-        const double image[3] = {r[0] + shift[0], r[1] + shift[1],
-                                 r[2] + shift[2]};
-        offer(s, k, tiers[run->tier].intersection(image, v, p->distance[0]),
-              BRINK_ENTRY_INWARD);
-    }
+    brink_batch near;
+    near.count = 0;
+    add_nearest(s, &near, who, count);
+    wrap(s, &near);
+    for (int n = 0; n < count; n++)
+        for (int m = 0; m < run->images; m++) {
+            const double *shift = run->image[m];
+            const double v[3] = {near.v[0][n], near.v[1][n], near.v[2][n]};
+            const double image[3] = {near.r[0][n] + shift[0],
+                                     near.r[1][n] + shift[1],
+                                     near.r[2][n] + shift[2]};
+            if (brink_batch_add(&s->inward, who[n], image, v, near.step[n]))
+                look_inward(s);
+        }
 }
 
 static void mark_partners(brink_run *run, uint32_t i, uint8_t mark)
 {
-    const brink_states *states = &run->states;
-    for (uint32_t n = states->first[i]; n != BRINK_NO_LINK;
-         n = states->link[n].next)
-        run->mark[states->link[n].partner] = mark;
+    const brink_link *link = brink_states_links(&run->states, i);
+    for (uint32_t n = 0; n < run->states.circle[i].count; n++)
+        run->is_partner[link[n].partner] = mark;
 }
 
-static void predict_strangers(search *s, const uint32_t *cells, int count)
+// Leaves of `who` those who are not i's partners.
+static int keep_strangers(brink_run *run, uint32_t i, uint32_t *who, int count)
 {
-    const brink_run *run = s->run;
-    for (int n = 0; n < count; n++)
-        for (uint32_t k = run->cells.first[cells[n]]; k != BRINK_NOBODY;
-             k = run->cells.next[k])
-            if (k != s->i && !run->mark[k])
-                predict_stranger(s, k);
-}
-
-void brink_predict(brink_run *run, uint32_t i, double offset)
-{
-    const brink_states *states = &run->states;
-    search s = {run, i, offset, (double)INFINITY, {.when = BRINK_NEVER}};
-    uint32_t around[27];
-    const int cells = brink_cells_around(&run->cells, run->cells.cell[i], around);
-    for (uint32_t n = states->first[i]; n != BRINK_NO_LINK;
-         n = states->link[n].next)
-        predict_partner(&s, states->link[n].partner, states->link[n].level);
+    int kept = 0;
     mark_partners(run, i, 1);
-    predict_strangers(&s, around, cells);
+    for (int n = 0; n < count; n++) {
+        who[kept] = who[n];
+        kept += !run->is_partner[who[n]];
+    }
     mark_partners(run, i, 0);
-    brink_calendar_set(&run->calendar, i, &s.best);
+    return kept;
 }
 
-// Particle i has just come by `crossing`: only those ahead of it are new.  Its
-// event with somebody it knew already stands, stale or not: a stale one is never
-// too late.
-void brink_predict_ahead(brink_run *run, uint32_t i, double offset,
-                         brink_crossing crossing)
+// Leaves of `who` those who are not i, and has their data fetched.
+static int keep_others(const brink_run *run, uint32_t i, uint32_t *who, int count)
 {
-    const brink_entry *known = &run->calendar.entry[i];
+    int kept = 0;
+    for (int n = 0; n < count; n++) {
+        const uint32_t k = who[n];
+        BRINK_PREFETCH(&run->system.particle[k]);
+        who[kept] = k;
+        kept += k != i;
+    }
+    return kept;
+}
+
+// Everybody in these cells but i and its partners.
+static void add_strangers(search *s, const uint32_t *cells, int count)
+{
+    brink_run *run = s->run;
+    uint32_t who[BRINK_HANDFUL];
+    brink_tour tour = brink_tour_of(cells, count);
+    for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;) {
+        n = keep_others(run, s->i, who, n);
+        if (run->states.circle[s->i].count > 0)
+            n = keep_strangers(run, s->i, who, n);
+        if (s->inward.count + n > BRINK_BATCH)
+            look_inward(s);
+        if (run->images == 1)
+            add_nearest(s, &s->inward, who, n);
+        else
+            add_images(s, who, n);
+    }
+}
+
+// What there is to beat: particle i's next crossing.
+static void begin(search *s, brink_run *run, uint32_t i, double offset,
+                  const brink_stay *stay)
+{
     const brink_instant new_year = {run->system.epoch, 0.0};
-    const double sum =
-        brink_instant_since(run->system.year, known->when, new_year);
-    search s = {run, i, offset, sum, *known};
-    uint32_t ahead[27];
-    const int cells =
-        brink_cells_ahead(&run->cells, run->cells.cell[i], crossing, ahead);
-    mark_partners(run, i, 1);
-    predict_strangers(&s, ahead, cells);
-    mark_partners(run, i, 0);
-    brink_calendar_set(&run->calendar, i, &s.best);
-}
-
-void brink_predict_crossing(brink_run *run, uint32_t i, double offset)
-{
-    const brink_system *system = &run->system;
-    brink_crossing next = {0, 0};
-    const double dt = brink_cells_crossing(&run->cells, system, i, offset, &next);
-    const brink_instant now = {system->epoch, offset};
-    const brink_entry entry = {
-        .when = brink_instant_after(system->year, now, dt),
+    const brink_crossing next = stay->crossing;
+    s->run = run;
+    s->i = i;
+    s->offset = offset;
+    s->inward.count = s->outward.count = 0;
+    s->soonest = stay->until;
+    s->best = (brink_entry){
+        .when = brink_instant_after(run->system.year, new_year, stay->until),
         .i = i,
         .j = (uint32_t)(2 * next.axis + (next.way > 0)),
         .kind = BRINK_ENTRY_CELL,
     };
-    brink_calendar_set(&run->calendar, system->count + i, &entry);
+}
+
+void brink_predict(brink_run *run, uint32_t i, double offset)
+{
+    search s;
+    brink_stay stay;
+    brink_cells_stay(&run->cells, &run->system, i, offset, &stay);
+    begin(&s, run, i, offset, &stay);
+    add_partners(&s);
+    add_strangers(&s, stay.near, stay.cells);
+    look_inward(&s);
+    brink_calendar_set(&run->calendar, i, &s.best);
 }

@@ -2,22 +2,15 @@
 #ifndef BRINK_RUN_PREDICT_H
 #define BRINK_RUN_PREDICT_H
 /**
- * What a particle's slots wait for.  A pair's event is kept by the particle that
- * was predicted last; where its partner has changed since, it is stale and made
- * anew when it comes up.  A stale event is never later than what it stands for,
- * so the earliest event of all is always in some slot.
+ * What a particle's slot waits for: its first event with another particle, or its
+ * next crossing of a cell's wall if that is earlier; there it is predicted anew.
+ * A pair's event is kept by the particle that was predicted last; where its
+ * partner has changed since, it is stale and made anew when it comes up.  A stale
+ * event is never later than what it stands for, so the earliest event of all is
+ * always in some slot.
  */
 #include "run.h"
 
-/** Sets particle i's pair slot to its earliest event with anybody.  The particle
- * is at `offset` in the current year, as in all of these. */
+/** Fills particle i's slot, as of `offset` in the current year. */
 void brink_predict(brink_run *run, uint32_t i, double offset);
-
-/** The same when particle i has just come by `crossing`: only those ahead are new
- * to it, and the event it had stands unless one with them is earlier. */
-void brink_predict_ahead(brink_run *run, uint32_t i, double offset,
-                         brink_crossing crossing);
-
-/** Sets particle i's crossing slot. */
-void brink_predict_crossing(brink_run *run, uint32_t i, double offset);
 #endif

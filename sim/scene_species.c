@@ -6,9 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
-// What a particle costs in a run, in bytes: 64 for itself, 16 in the cells, two
-// slots of 48 in the calendar, 4 in the states and 48 for a captured pair's two
-// links in a pool that grows by doubling, and a mark: 229, rounded up.
+// What a particle costs in a run, in bytes: 64 for itself, 26 in the cells, 48
+// for a slot in the calendar and up to four days of 4, 8 in the states, twice 32
+// for four links in a pool that grows by doubling, and a mark: 227, rounded up.
 #define BYTES_PER_PARTICLE 256
 
 #define STEPS_EXAMPLE "steps: [[3, -1], [1, .inf]], outermost first"

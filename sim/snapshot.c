@@ -196,9 +196,10 @@ static void write_levels(brink_codec *c, const brink_run *run)
     uint64_t pairs = s->used / 2;
     brink_code_u64(c, &pairs);
     for (uint32_t i = 0; i < run->system.count; i++)
-        for (uint32_t k = s->first[i]; k != BRINK_NO_LINK; k = s->link[k].next) {
-            uint32_t first = i, second = s->link[k].partner;
-            int level = s->link[k].level;
+        for (uint32_t k = 0; k < s->circle[i].count; k++) {
+            const brink_link link = brink_states_links(s, i)[k];
+            uint32_t first = i, second = link.partner;
+            int level = link.level;
             if (first > second)
                 continue;
             brink_code_u32(c, &first);
@@ -229,29 +230,27 @@ static void read_levels(brink_codec *c, brink_run *run)
 
 static void write_entries(brink_codec *c, const brink_run *run)
 {
-    for (uint32_t slot = 0; slot < run->calendar.slots; slot++) {
-        brink_entry entry = run->calendar.entry[slot];
+    for (uint32_t i = 0; i < run->system.count; i++) {
+        brink_entry entry = run->calendar.entry[i];
         code_entry(c, &entry);
     }
 }
 
-static int entry_is_possible(const brink_run *run, uint32_t slot,
+static int entry_is_possible(const brink_run *run, uint32_t i,
                              const brink_entry *e)
 {
-    const uint32_t n = run->system.count;
     if (e->when.epoch == INT64_MAX)
         return 1;
     if (!(e->when.offset >= 0) || !(e->when.offset < run->system.year) ||
         brink_instant_compare(e->when, run->now) < 0)
         return 0;
-    if (slot >= n)
-        return e->kind == BRINK_ENTRY_CELL && e->i == slot - n &&
-               e->j < 2 * (uint32_t)run->system.dimensions;
-    if (e->kind > BRINK_ENTRY_OUTWARD || e->i >= e->j || e->j >= n ||
-        (e->i != slot && e->j != slot))
+    if (e->kind == BRINK_ENTRY_CELL)
+        return e->i == i && e->j < 2 * (uint32_t)run->system.dimensions;
+    if (e->kind > BRINK_ENTRY_CELL || e->i >= e->j || e->j >= run->system.count ||
+        (e->i != i && e->j != i))
         return 0;
     const int level = brink_states_level(&run->states, e->i, e->j);
-    const uint32_t partner = e->i == slot ? e->j : e->i;
+    const uint32_t partner = e->i == i ? e->j : e->i;
     const int stale = run->system.particle[partner].generation != e->generation;
     return stale ||
            !isnan(brink_step_rise(
@@ -262,13 +261,13 @@ static int entry_is_possible(const brink_run *run, uint32_t slot,
 static void read_entries(brink_codec *c, brink_run *run)
 {
     run->calendar.epoch = run->system.epoch;
-    for (uint32_t slot = 0; slot < run->calendar.slots && !c->fault; slot++) {
+    for (uint32_t i = 0; i < run->system.count && !c->fault; i++) {
         brink_entry entry = {0};
         code_entry(c, &entry);
-        if (!c->fault && !entry_is_possible(run, slot, &entry))
+        if (!c->fault && !entry_is_possible(run, i, &entry))
             c->fault = "a pending event is not possible";
         else
-            brink_calendar_set(&run->calendar, slot, &entry);
+            brink_calendar_set(&run->calendar, i, &entry);
     }
 }
 

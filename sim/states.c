@@ -4,85 +4,128 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define NO_BLOCK UINT32_MAX
+
+// The size, as 4 * 2^size, of the block for so many links; -1 for none.
+static int size_for(uint32_t count)
+{
+    int size = -1;
+    while (count > 0 && (size < 0 || UINT32_C(4) << size < count))
+        size++;
+    return size;
+}
+
+static uint32_t take_block(brink_states *s, int size)
+{
+    uint32_t first = s->free[size];
+    if (first != NO_BLOCK) {
+        s->free[size] = s->link[first].partner;
+    } else {
+        first = s->touched;
+        s->touched += UINT32_C(4) << size;
+    }
+    return first;
+}
+
+static void free_block(brink_states *s, uint32_t first, int size)
+{
+    s->link[first].partner = s->free[size];
+    s->free[size] = first;
+}
+
+// Makes room in the pool for two blocks of so many links; 0, -1 no memory.
+static int make_room(brink_states *s, uint32_t count)
+{
+    const uint64_t needed = s->touched + (UINT64_C(8) << size_for(count));
+    if (needed <= s->capacity)
+        return 0;
+    if (needed >= NO_BLOCK)
+        return -1;
+    uint64_t capacity = 2 * (uint64_t)s->capacity;
+    capacity = capacity < needed     ? needed
+               : capacity < NO_BLOCK ? capacity
+                                     : NO_BLOCK;
+    brink_link *grown = realloc(s->link, capacity * sizeof *grown);
+    if (!grown)
+        return -1;
+    s->link = grown;
+    s->capacity = (uint32_t)capacity;
+    return 0;
+}
+
 int brink_states_create(brink_states *s, const brink_system *system)
 {
     memset(s, 0, sizeof *s);
     s->particles = system->count;
     s->species_count = system->species_count;
-    s->free = BRINK_NO_LINK;
+    memset(s->free, 0xff, sizeof s->free);
     const int kinds = system->species_count * system->species_count;
     for (int p = 0; p < kinds; p++)
         if (system->potential[p].count + 1 > s->levels)
             s->levels = system->potential[p].count + 1;
-    s->first = malloc(s->particles * sizeof *s->first);
+    s->circle = calloc(s->particles, sizeof *s->circle);
     s->pairs = calloc((size_t)kinds * (size_t)s->levels, sizeof *s->pairs);
-    if (!s->first || !s->pairs) {
+    if (!s->circle || !s->pairs || make_room(s, 1)) {
         brink_states_destroy(s);
         return -1;
     }
-    memset(s->first, 0xff, s->particles * sizeof *s->first);
     return 0;
 }
 
 void brink_states_destroy(brink_states *s)
 {
-    free(s->first);
+    free(s->circle);
     free(s->link);
     free(s->pairs);
     memset(s, 0, sizeof *s);
 }
 
-// Where the link of i to j hangs: the index that leads to it, or to nothing.
-static uint32_t *find(const brink_states *s, uint32_t i, uint32_t j)
-{
-    uint32_t *at = &s->first[i];
-    while (*at != BRINK_NO_LINK && s->link[*at].partner != j)
-        at = &s->link[*at].next;
-    return at;
-}
-
 int brink_states_level(const brink_states *s, uint32_t i, uint32_t j)
 {
-    const uint32_t at = *find(s, i, j);
-    return at == BRINK_NO_LINK ? 0 : s->link[at].level;
-}
-
-// Makes two links free at least; 0, -1 no memory.
-static int make_room(brink_states *s)
-{
-    if (s->used + 2 <= s->capacity)
-        return 0;
-    if (s->capacity > BRINK_NO_LINK / 2)
-        return -1;
-    const uint32_t capacity = s->capacity ? 2 * s->capacity : 64;
-    brink_link *grown = realloc(s->link, capacity * sizeof *grown);
-    if (!grown)
-        return -1;
-    for (uint32_t k = s->capacity; k < capacity; k++)
-        grown[k].next = k + 1 < capacity ? k + 1 : s->free;
-    s->free = s->capacity;
-    s->link = grown;
-    s->capacity = capacity;
+    const brink_link *link = brink_states_links(s, i);
+    for (uint32_t k = 0; k < s->circle[i].count; k++)
+        if (link[k].partner == j)
+            return link[k].level;
     return 0;
 }
 
+// Moves the links of i to a block for one more, or one fewer, if theirs is full
+// or too large for that; the pool has room.
+static void fit(brink_states *s, uint32_t i, uint32_t count)
+{
+    brink_circle *c = &s->circle[i];
+    const int from = size_for(c->count), to = size_for(count);
+    const uint32_t old = c->first;
+    if (from == to)
+        return;
+    if (to >= 0) {
+        c->first = take_block(s, to);
+        const uint32_t kept = c->count < count ? c->count : count;
+        memcpy(&s->link[c->first], &s->link[old], kept * sizeof *s->link);
+    }
+    if (from >= 0)
+        free_block(s, old, from);
+}
+
+// The levels of a pair as i has them.
 static void write_half(brink_states *s, uint32_t i, uint32_t j, int level)
 {
-    uint32_t *at = find(s, i, j);
-    const uint32_t k = *at;
-    if (k == BRINK_NO_LINK) {
-        const uint32_t fresh = s->free;
-        s->free = s->link[fresh].next;
+    brink_circle *c = &s->circle[i];
+    brink_link *link = &s->link[c->first];
+    uint32_t k = 0;
+    while (k < c->count && link[k].partner != j)
+        k++;
+    if (k == c->count) {
+        fit(s, i, c->count + 1);
+        s->link[c->first + c->count++] = (brink_link){j, level};
         s->used++;
-        s->link[fresh] = (brink_link){j, s->first[i], level};
-        s->first[i] = fresh;
     } else if (level == 0) {
-        *at = s->link[k].next;
-        s->link[k].next = s->free;
-        s->free = k;
+        link[k] = link[c->count - 1];
+        fit(s, i, c->count - 1);
+        c->count--;
         s->used--;
     } else {
-        s->link[k].level = level;
+        link[k].level = level;
     }
 }
 
@@ -102,7 +145,8 @@ int brink_states_set(brink_states *s, const brink_system *system, uint32_t i,
     const int before = brink_states_level(s, i, j);
     if (level == before)
         return 0;
-    if (before == 0 && make_room(s))
+    const uint32_t ci = s->circle[i].count, cj = s->circle[j].count;
+    if (before == 0 && make_room(s, (ci > cj ? ci : cj) + 1))
         return -1;
     write_half(s, i, j, level);
     write_half(s, j, i, level);
@@ -141,12 +185,14 @@ double brink_states_energy(const brink_states *s, const brink_system *system)
 const char *brink_states_is_valid(const brink_states *s,
                                   const brink_system *system)
 {
-    uint32_t links = 0;
-    int64_t stored = 0, counted = 0;
-    for (uint32_t i = 0; i < s->particles; i++)
-        for (uint32_t k = s->first[i]; k != BRINK_NO_LINK; k = s->link[k].next) {
-            if (k >= s->capacity || ++links > s->used)
-                return "a particle's partners run in a circle";
+    uint64_t links = 0;
+    int64_t counted = 0;
+    for (uint32_t i = 0; i < s->particles; i++) {
+        const brink_circle c = s->circle[i];
+        links += c.count;
+        if (links > s->used || c.first + (uint64_t)c.count > s->touched)
+            return "a particle's partners are more than there are";
+        for (uint32_t k = c.first; k < c.first + c.count; k++) {
             const uint32_t j = s->link[k].partner;
             if (j >= s->particles || j == i)
                 return "a particle is captured by itself or by nobody";
@@ -156,12 +202,13 @@ const char *brink_states_is_valid(const brink_states *s,
                 return "a pair is at a level its potential does not have";
             if (brink_states_level(s, j, i) != s->link[k].level)
                 return "two particles disagree about their level";
-            stored++;
         }
+    }
     const int rows = s->species_count * s->species_count * s->levels;
     for (int k = 0; k < rows; k++)
         counted += s->pairs[k];
     if (links != s->used)
         return "a link belongs to nobody";
-    return stored == 2 * counted ? NULL : "pairs at a level are miscounted";
+    return (int64_t)links == 2 * counted ? NULL
+                                         : "pairs at a level are miscounted";
 }

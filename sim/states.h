@@ -4,26 +4,33 @@
 /**
  * The logical state of every pair [S16 section 2]: its level in its potential.
  * Only pairs at a level above 0 are stored, each with both its particles, so
- * memory goes with the number of captured pairs and a particle's partners are at
- * hand when it is looked at.  Levels change by brink_states_apply alone.
+ * memory goes with the number of captured pairs; a particle's partners and levels
+ * lie side by side.  Levels change by brink_states_apply alone.
  */
 #include "system.h"
 
 typedef struct brink_link { // one captured pair, as one of its particles has it
     uint32_t partner;
-    uint32_t next; // the particle's next link, or BRINK_NO_LINK
     int32_t level; // 1..count
 } brink_link;
 
-#define BRINK_NO_LINK UINT32_MAX
+/** Where a particle's links are in the pool: in a block with room for 4 of them,
+ * or 8, or 16, as few as will do; without any there is none. */
+typedef struct brink_circle {
+    uint32_t first, count;
+} brink_circle;
+
+#define BRINK_BLOCK_SIZES 30 // 4 to 2^31
 
 typedef struct brink_states {
     uint32_t particles;
-    uint32_t *first;   // per particle: its first link
-    brink_link *link;  // pool
-    uint32_t capacity; // of the pool
-    uint32_t free;     // first of the free links, chained by `next`
-    uint32_t used;
+    brink_circle *circle; // per particle
+    brink_link *link;     // pool
+    uint32_t capacity;    // of the pool
+    uint32_t touched;     // what lies below has been in a block at some time
+    // by size: the first free block, chained by its first link's `partner`
+    uint32_t free[BRINK_BLOCK_SIZES];
+    uint32_t used; // links
     int species_count;
     int levels;     // the most levels any potential has
     int64_t *pairs; // pairs at a level: [(a * species_count + b) * levels +
@@ -37,6 +44,13 @@ const char *brink_states_is_valid(const brink_states *s,
                                   const brink_system *system);
 
 int brink_states_level(const brink_states *s, uint32_t i, uint32_t j);
+
+/** The circle[i].count partners of i; unless there are none. */
+static inline const brink_link *brink_states_links(const brink_states *s,
+                                                   uint32_t i)
+{
+    return &s->link[s->circle[i].first];
+}
 
 /** Sets a pair's level when a configuration is first made or loaded.  0, -1 no
  * memory. */

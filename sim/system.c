@@ -152,16 +152,6 @@ void brink_system_turn(brink_system *s, int64_t epoch)
     s->epoch = epoch;
 }
 
-void brink_system_separation(const brink_system *s, uint32_t i, uint32_t j,
-                             double offset, double r[3])
-{
-    const brink_particle *p = &s->particle[i], *q = &s->particle[j];
-    const double dp = offset - p->since, dq = offset - q->since;
-    for (int a = 0; a < 3; a++)
-        r[a] = (double)(int64_t)(p->x[a] - q->x[a]) * s->unit[a] +
-               (p->v[a] * dp - q->v[a] * dq);
-}
-
 double brink_system_kinetic_energy(const brink_system *s)
 {
     brink_sum sum = {0};

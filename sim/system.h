@@ -20,7 +20,7 @@
 #include <brink/step.h>
 #include <stddef.h>
 
-/** So many that each one's two slots in the calendar have numbers of 31 bits. */
+/** So many that two slots for each in a calendar have numbers of 31 bits. */
 #define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
 
 typedef struct brink_particle {
@@ -92,8 +92,15 @@ void brink_system_position(const brink_system *s, uint32_t i, double offset,
 void brink_system_turn(brink_system *s, int64_t epoch);
 
 /** Nearest-image separation r = x_i - x_j at `offset` in the current year. */
-void brink_system_separation(const brink_system *s, uint32_t i, uint32_t j,
-                             double offset, double r[3]);
+static inline void brink_system_separation(const brink_system *s, uint32_t i,
+                                           uint32_t j, double offset, double r[3])
+{
+    const brink_particle *p = &s->particle[i], *q = &s->particle[j];
+    const double dp = offset - p->since, dq = offset - q->since;
+    for (int a = 0; a < 3; a++)
+        r[a] = (double)(int64_t)(p->x[a] - q->x[a]) * s->unit[a] +
+               (p->v[a] * dp - q->v[a] * dq);
+}
 
 /** Sums over all particles, compensated. */
 double brink_system_kinetic_energy(const brink_system *s);

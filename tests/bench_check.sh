@@ -42,6 +42,10 @@ expect 0 "$bench" --out page --cases 20 --seconds 0.01
     fail "the page would load something"
 ! grep -Eq '>-?(nan|inf)<' page/kernels.html || fail "there is no number somewhere"
 grep -q 'lines of which something was asked' page/kernels.html || fail "the speeds asked are missing"
+sed -n '/What was asked/,$p' page/kernels.html >speeds
+for family in $("$ulp" | sed -n '/^  intersection_time_fast/,/^$/s/^  on //p'); do
+    [ "$(grep -c ">$family<" speeds)" -ge 2 ] || fail "$family is not timed for both _fast"
+done
 
 ! grep -q undescribed page/kernels.html || fail "a family is not described"
 

@@ -70,6 +70,9 @@ typedef struct line {
 #define IN  "intersection/printed"
 #define OUT "disjoint/stable"
 
+/** As a family: a line for each there is. */
+#define EVERY NULL
+
 #define BATCHES(name, family, baseline, at_most)                                 \
     CALLS(name##_any, #name ", SSE2", family, baseline, 0, ANY),                 \
         CALLS(name##_fma, #name ", AVX2", family, baseline, at_most, FMA),       \
@@ -85,18 +88,7 @@ static const line lines[] = {
     CALL("quadratic_roots", "huge", "quadratic/goualard", 1),
     CALL("ball_overlap_sign", "dilute", "ball/sign", 1.3),
     CALL("ball_overlap_rate_sign", "dilute", "rate/sign", 1.1),
-    CALL("intersection_time_fast", "dilute", IN, 1.25),
-    CALL("intersection_time_fast", "hits", IN, 1.25),
-    CALL("intersection_time_fast", "neighbours", IN, 1.25),
-    CALL("intersection_time_fast", "contact", IN, 1.25),
-    CALL("intersection_time_fast", "captured", IN, 1.25),
-    CALL("intersection_time_fast", "grazing", IN, 1.25),
-    CALL("intersection_time_fast", "rim", IN, 1.25),
-    CALL("intersection_time_fast", "integers", IN, 1.25),
-    CALL("intersection_time_fast", "tangent", IN, 1.25),
-    CALL("intersection_time_fast", "line", IN, 1.25),
-    CALL("intersection_time_fast", "scaled", IN, 1.25),
-    CALL("intersection_time_fast", "wild", IN, 1.25),
+    CALL("intersection_time_fast", EVERY, IN, 1.25),
     CALL("intersection_time", "dilute", IN, 1.5),
     CALL("intersection_time", "neighbours", IN, 1.8),
     CALL("intersection_time", "contact", IN, 2.7),
@@ -109,18 +101,7 @@ static const line lines[] = {
     BATCHES(intersection_times, "dilute", IN, 0.7),
     BATCHES(intersection_times, "neighbours", IN, 0),
     BATCHES(intersection_times_fast, "dilute", IN, 0.7),
-    CALL("disjoint_time_fast", "dilute", OUT, 1.25),
-    CALL("disjoint_time_fast", "hits", OUT, 1.25),
-    CALL("disjoint_time_fast", "neighbours", OUT, 1.25),
-    CALL("disjoint_time_fast", "contact", OUT, 1.25),
-    CALL("disjoint_time_fast", "captured", OUT, 1.25),
-    CALL("disjoint_time_fast", "grazing", OUT, 1.25),
-    CALL("disjoint_time_fast", "rim", OUT, 1.25),
-    CALL("disjoint_time_fast", "integers", OUT, 1.25),
-    CALL("disjoint_time_fast", "tangent", OUT, 1.25),
-    CALL("disjoint_time_fast", "line", OUT, 1.25),
-    CALL("disjoint_time_fast", "scaled", OUT, 1.25),
-    CALL("disjoint_time_fast", "wild", OUT, 1.25),
+    CALL("disjoint_time_fast", EVERY, OUT, 1.25),
     CALL("disjoint_time", "dilute", OUT, 1.5),
     CALL("disjoint_time", "captured", OUT, 1.8),
     CALL("disjoint_time", "neighbours", OUT, 1.8),
@@ -137,21 +118,47 @@ static const line lines[] = {
     BATCHES(disjoint_times_fast, "neighbours", OUT, 0),
 };
 
-int bench_speed_lines(void)
-{
-    return sizeof lines / sizeof *lines;
-}
-
-const char *bench_speed_kernel(int which)
-{
-    return lines[which].kernel;
-}
+enum { LINES = sizeof lines / sizeof *lines };
 
 static const method *method_named(const char *name, const problem **p)
 {
     int k;
     *p = problem_of(name, &k);
     return &(*p)->method[k];
+}
+
+/** How many lines of what is written this one makes. */
+static int lines_of(const line *l)
+{
+    const problem *p;
+    method_named(l->baseline, &p);
+    return l->family == EVERY ? p->families : 1;
+}
+
+int bench_speed_lines(void)
+{
+    int count = 0;
+    for (int k = 0; k < LINES; k++)
+        count += lines_of(&lines[k]);
+    return count;
+}
+
+/** A line of what is written: the table's that makes it; its family. */
+static const line *line_at(int which, int *family)
+{
+    const line *l = lines;
+    for (; which >= lines_of(l); l++)
+        which -= lines_of(l);
+    const problem *p;
+    method_named(l->baseline, &p);
+    *family = l->family == EVERY ? which : problem_family(p, l->family);
+    return l;
+}
+
+const char *bench_speed_kernel(int which)
+{
+    int family;
+    return line_at(which, &family)->kernel;
 }
 
 const char *const speed_words[] = {[SPEED_NOT_HERE] = "not here",
@@ -168,17 +175,18 @@ static enum speed_verdict verdict_of(const speed *s)
 
 int bench_speed_measure(int which, uint64_t seed, double seconds, speed *s)
 {
-    const line *l = &lines[which];
+    int family;
+    const line *l = line_at(which, &family);
     const problem *p;
     const method *baseline = method_named(l->baseline, &p);
-    *s = (speed){l->kernel, l->family,  baseline->label, 0,
-                 0,         l->at_most, SPEED_NOT_HERE};
+    *s = (speed){l->kernel, p->family(family), baseline->label, 0,
+                 0,         l->at_most,        SPEED_NOT_HERE};
     if (l->batch != NULL && (l->there == NULL || !machine_has(l->path)))
         return 0;
     loop *const subject =
         l->batch != NULL ? l->batch : method_named(l->kernel, &p)->loop;
     loop *const loops[] = {baseline->loop, subject};
-    inputs *in = inputs_make(p, problem_family(p, l->family), COST_INPUTS, seed);
+    inputs *in = inputs_make(p, family, COST_INPUTS, seed);
     answers *out = answers_make(COST_INPUTS);
     double ns[2];
     const int failed = in == NULL || out == NULL ||

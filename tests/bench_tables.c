@@ -6,6 +6,7 @@
 #include "cost.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { COLUMNS = 24 };
 
@@ -140,11 +141,13 @@ void bench_write_ways(brink_report *r, const problem *p)
     brink_report_table_end(r);
 }
 
-static void write_line(brink_report *r, const speed *s)
+/** A line below another, NULL for the first; what is the same is not repeated. */
+static void write_line(brink_report *r, const speed *s, const speed *above)
 {
-    brink_report_cell(r, "%s", s->kernel);
+    const int again = above != NULL && strcmp(above->kernel, s->kernel) == 0;
+    brink_report_cell(r, "%s", again ? " " : s->kernel);
     brink_report_cell(r, "%s", s->family);
-    brink_report_cell(r, "%s", s->baseline);
+    brink_report_cell(r, "%s", again ? " " : s->baseline);
     brink_report_cell(r, s->verdict != SPEED_NOT_HERE ? "%.1f" : " ", s->ns);
     brink_report_cell(r, s->verdict != SPEED_NOT_HERE ? "%.2f" : " ", s->ratio);
     brink_report_cell(r, s->at_most > 0 ? "%g" : " ", s->at_most);
@@ -184,7 +187,7 @@ void bench_write_speed(brink_report *r, uint64_t seed, double seconds)
                        "and what was asked: at most.",
                        head.count, head.align, head.head);
     for (int k = 0; speeds != NULL && k < lines; k++)
-        write_line(r, &speeds[k]);
+        write_line(r, &speeds[k], k > 0 ? &speeds[k - 1] : NULL);
     brink_report_table_end(r);
     free(speeds);
 }

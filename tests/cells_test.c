@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cells.h"
 #include "suite.h"
+#include <brink/event_time.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdio.h>
@@ -68,17 +69,18 @@ START_TEST(whoever_is_in_range_is_adjacent)
     for (int dimensions = 2; dimensions <= 3; dimensions++) {
         brink_system s;
         brink_cells c;
-        uint32_t around[27];
+        uint32_t around[27], who[BRINK_HANDFUL];
         double r[3];
         make(&s, dimensions, 12, 9, dimensions == 3 ? 4 : 1, 500, rng);
         ck_assert_int_eq(brink_cells_create(&c, &s), 0);
         for (uint32_t i = 0; i < s.count; i++) {
             uint8_t adjacent[500] = {0};
-            const int n = brink_cells_around(&c, c.cell[i], around);
-            for (int k = 0; k < n; k++)
-                for (uint32_t j = c.first[around[k]]; j != BRINK_NOBODY;
-                     j = c.next[j])
-                    ck_assert_msg(!adjacent[j]++, "%u twice around %u", j, i);
+            brink_tour tour =
+                brink_tour_of(around, brink_cells_around(&c, c.cell[i], around));
+            for (int n; (n = brink_tour_next(&c, &tour, who)) > 0;)
+                for (int k = 0; k < n; k++)
+                    ck_assert_msg(!adjacent[who[k]]++, "%u twice around %u",
+                                  who[k], i);
             for (uint32_t j = 0; j < s.count; j++) {
                 brink_system_separation(&s, i, j, 0.0, r);
                 if (r[0] * r[0] + r[1] * r[1] + r[2] * r[2] <= 1)
@@ -92,35 +94,76 @@ START_TEST(whoever_is_in_range_is_adjacent)
 }
 END_TEST
 
-START_TEST(what_is_ahead_is_what_was_not_adjacent_before)
+static double crossing_of(const brink_cells *c, const brink_system *s, uint32_t i,
+                          double offset, brink_crossing *crossing)
+{
+    brink_stay stay;
+    brink_cells_stay(c, s, i, offset, &stay);
+    *crossing = stay.crossing;
+    return stay.until;
+}
+
+static int is_among(uint32_t cell, const uint32_t *cells, int count)
+{
+    for (int k = 0; k < count; k++)
+        if (cells[k] == cell)
+            return 1;
+    return 0;
+}
+
+// Everybody whom a particle meets before either crosses a wall is in a near cell;
+// and not every adjacent cell is near, or there would be no point in it.
+START_TEST(whoever_is_met_before_a_crossing_is_near)
 {
     gsl_rng *rng = seeded(3);
     brink_system s;
     brink_cells c;
-    make(&s, 3, 8, 9, 10, 600, rng);
+    int met = 0, spared = 0;
+    make(&s, 3, 12, 13, 4, 300, rng);
     ck_assert_int_eq(brink_cells_create(&c, &s), 0);
-    for (uint32_t i = 0; i < 100; i++)
-        for (int axis = 0; axis < 3; axis++)
-            for (int way = -1; way <= 1; way += 2) {
-                uint32_t before[27], after[27], ahead[27];
-                const brink_crossing crossing = {axis, way};
-                const int n = brink_cells_around(&c, c.cell[i], before);
-                ck_assert_int_eq(brink_cells_cross(&c, i, crossing), 1);
-                ck_assert_int_eq(brink_cells_around(&c, c.cell[i], after), n);
-                const int m = brink_cells_ahead(&c, c.cell[i], crossing, ahead);
-                int fresh = 0;
-                for (int k = 0; k < n; k++) {
-                    int known = 0, listed = 0;
-                    for (int l = 0; l < n; l++)
-                        known |= before[l] == after[k];
-                    for (int l = 0; l < m; l++)
-                        listed |= ahead[l] == after[k];
-                    fresh += !known;
-                    ck_assert_int_eq(listed, !known);
-                }
-                ck_assert_int_eq(fresh, m);
-            }
-    ck_assert_ptr_null(brink_cells_is_valid(&c));
+    for (uint32_t i = 0; i < s.count; i++) {
+        brink_stay stay;
+        brink_crossing way;
+        brink_cells_stay(&c, &s, i, 0.0, &stay);
+        const double then = stay.until;
+        spared += 27 - stay.cells;
+        for (uint32_t j = 0; j < s.count; j++) {
+            double r[3], v[3];
+            brink_system_separation(&s, i, j, 0.0, r);
+            for (int a = 0; a < 3; a++)
+                v[a] = s.particle[i].v[a] - s.particle[j].v[a];
+            const double t = brink_intersection_time(r, v, 1.0);
+            if (i == j || !(t < fmin(then, crossing_of(&c, &s, j, 0.0, &way))))
+                continue;
+            met++;
+            ck_assert_msg(is_among(c.cell[j], stay.near, stay.cells),
+                          "%u meets %u at %a", i, j, t);
+        }
+    }
+    ck_assert_msg(met > 100 && spared > 1000, "met %d, spared %d", met, spared);
+    brink_cells_destroy(&c);
+    brink_system_destroy(&s);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+START_TEST(all_is_near_to_a_particle_at_rest_in_the_middle_of_small_cells)
+{
+    gsl_rng *rng = seeded(8);
+    brink_system s;
+    brink_cells c;
+    brink_stay stay;
+    make(&s, 3, 8, 8, 8, 4000, rng); // cells of 8/7, less than twice the range
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    for (int a = 0; a < 3; a++) {
+        s.particle[3].v[a] = 0;
+        s.particle[3].x[a] = UINT64_C(1) << 63;
+    }
+    brink_cells_destroy(&c);
+    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    brink_cells_stay(&c, &s, 3, 0.0, &stay);
+    ck_assert(isinf(stay.until));
+    ck_assert_int_eq(stay.cells, 27);
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -139,10 +182,9 @@ START_TEST(crossings_keep_the_cell_in_step_with_the_position)
         for (int n = 0; n < 200; n++) {
             brink_particle *p = &s.particle[i];
             brink_crossing crossing = {0, 0};
-            const double dt =
-                brink_cells_crossing(&c, &s, i, p->since, &crossing);
-            ck_assert(dt >= 0 && isfinite(dt));
-            brink_system_advance(&s, i, p->since + dt);
+            const double then = crossing_of(&c, &s, i, p->since, &crossing);
+            ck_assert(then >= p->since && isfinite(then));
+            brink_system_advance(&s, i, then);
             p->since = 0; // every flight starts a year of its own
             ck_assert_int_eq(brink_cells_cross(&c, i, crossing), 1);
             const int index =
@@ -179,7 +221,7 @@ START_TEST(a_particle_at_rest_never_crosses)
     for (int a = 0; a < 3; a++)
         s.particle[3].v[a] = 0;
     ck_assert_int_eq(brink_cells_create(&c, &s), 0);
-    ck_assert(isinf(brink_cells_crossing(&c, &s, 3, 0.0, &crossing)));
+    ck_assert(isinf(crossing_of(&c, &s, 3, 0.0, &crossing)));
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -197,9 +239,9 @@ START_TEST(a_particle_beyond_its_wall_by_a_rounding_crosses_at_once)
     brink_particle *p = &s.particle[3];
     p->v[0] = 0.5, p->v[1] = p->v[2] = 0;
     p->x[0] = c.wall[0][c.cell[3] % (uint32_t)c.count[0] + 1] + 5;
-    const double dt = brink_cells_crossing(&c, &s, 3, 0.0, &crossing);
-    ck_assert_msg(dt == 0 && crossing.axis == 0 && crossing.way == 1, "dt %a",
-                  dt);
+    const double then = crossing_of(&c, &s, 3, 0.25, &crossing);
+    ck_assert_msg(then == 0.25 && crossing.axis == 0 && crossing.way == 1,
+                  "at %a", then);
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -224,12 +266,12 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("cells", 60,
-                     cells_are_wider_than_the_interaction_or_three_with_images,
-                     whoever_is_in_range_is_adjacent,
-                     what_is_ahead_is_what_was_not_adjacent_before,
-                     crossings_keep_the_cell_in_step_with_the_position,
-                     a_particle_at_rest_never_crosses,
-                     a_particle_beyond_its_wall_by_a_rounding_crosses_at_once,
-                     the_check_sees_a_particle_in_the_wrong_list);
+    return RUN_SUITE(
+        "cells", 60, cells_are_wider_than_the_interaction_or_three_with_images,
+        whoever_is_in_range_is_adjacent, whoever_is_met_before_a_crossing_is_near,
+        all_is_near_to_a_particle_at_rest_in_the_middle_of_small_cells,
+        crossings_keep_the_cell_in_step_with_the_position,
+        a_particle_at_rest_never_crosses,
+        a_particle_beyond_its_wall_by_a_rounding_crosses_at_once,
+        the_check_sees_a_particle_in_the_wrong_list);
 }

@@ -103,10 +103,13 @@ START_TEST(nothing_that_is_not_a_number_is_answered)
                 ck_assert(isnan(all_kernels[_i](p.r, p.v, p.sigma)));
             }
     const double r[3] = {2, 0, 0}, in[3] = {-1, 0, 0}, out[3] = {1, 0, 0};
-    ck_assert(isnan(all_kernels[_i](r, in, -1)));
-    ck_assert(isnan(all_kernels[_i](r, out, -0x1p-1074)));
     const double inside[3] = {0.5, 0, 0};
-    ck_assert(isnan(all_kernels[_i](inside, out, -1)));
+    const double negative[] = {-0x1p-1074, -1, -1.9, -3, -0x1p+600};
+    for (int k = 0; k < 5; k++) {
+        ck_assert(isnan(all_kernels[_i](r, in, negative[k])));
+        ck_assert(isnan(all_kernels[_i](r, out, negative[k])));
+        ck_assert(isnan(all_kernels[_i](inside, out, negative[k])));
+    }
 }
 END_TEST
 

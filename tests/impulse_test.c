@@ -213,11 +213,38 @@ START_TEST(pairs_at_relative_rest_stay_so)
 }
 END_TEST
 
+START_TEST(pairs_at_one_place_have_no_line_of_centres)
+{
+    const double r[3] = {0, -0.0, 0};
+    double v1[3] = {1, 2, 3}, v2[3] = {-1, 0, 0}, virial;
+    ck_assert_double_eq(brink_core_impulse(r, 1, 2, v1, v2), 0);
+    ck_assert_int_eq(
+        brink_step_impulse(r, 1, 2, 1, BRINK_INWARD, v1, v2, &virial), 0);
+    ck_assert_double_eq(virial, 0);
+    ck_assert(v1[0] == 1 && v1[1] == 2 && v1[2] == 3);
+    ck_assert(v2[0] == -1 && v2[1] == 0 && v2[2] == 0);
+}
+END_TEST
+
+START_TEST(slow_pairs_keep_their_digits_at_a_rise_beyond_them)
+{
+    const double r[3] = {1, 1, 0}; // little masses and a great rise: 2^1000
+    double v1[3] = {-0x1.8p-20, 0, 0}, v2[3] = {0, 0, 0}, virial;
+    ck_assert_int_eq(brink_step_impulse(r, 0x1p-1000, 0x1p-1000, 0x1p1000,
+                                        BRINK_INWARD, v1, v2, &virial),
+                     0);
+    ck_assert(v1[0] == -0x1.8p-21 && v1[1] == 0x1.8p-21 && v1[2] == 0);
+    ck_assert(v2[0] == -0x1.8p-21 && v2[1] == -0x1.8p-21 && v2[2] == 0);
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("impulse", 600, energy_momentum_and_decision_are_right,
                      hard_cases_are_right,
                      scaling_by_powers_of_two_changes_nothing_else,
                      extreme_rises_do_as_they_must, cores_reflect_elastically,
-                     pairs_at_relative_rest_stay_so);
+                     pairs_at_relative_rest_stay_so,
+                     pairs_at_one_place_have_no_line_of_centres,
+                     slow_pairs_keep_their_digits_at_a_rise_beyond_them);
 }

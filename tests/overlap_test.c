@@ -74,12 +74,13 @@ static const quantity quantities[] = {
     QUANTITY_OF(halfspace),    QUANTITY_OF(halfspace_rate),
     QUANTITY_OF(halfspace_at),
 };
+enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 
 static void keep(const char *family, int i, const scene *s)
 {
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
-    for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++) {
+    for (int k = 0; k < QUANTITIES; k++) {
         const quantity *q = &quantities[k];
         q->exact(exact, s);
         double value = q->value(s);
@@ -115,6 +116,19 @@ static double time_of(stream *random, const pair_case *p)
     return stream_near(random, t, 1);
 }
 
+/** Lays the plane through the particle, as nearly as rounding lets it. */
+static void lay_plane(stream *random, scene *s)
+{
+    const double *n = s->plane.v, length = stream_scaled(random, -10, 10);
+    double w[3];
+    fill_normal(random, w, length * length_of(s->p.r) / length_of(n));
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double c = s->p.r[i] + (n[j] * w[k] - n[k] * w[j]);
+        s->plane.r[i] = isfinite(c) ? c : 0;
+    }
+}
+
 START_TEST(signs_are_exact_and_values_within_the_bound)
 {
     for (int f = 0; f < PAIR_FAMILIES; f++) {
@@ -123,6 +137,8 @@ START_TEST(signs_are_exact_and_values_within_the_bound)
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             pair_families[f].make(&random, &s.p);
             pair_families[f].make(&random, &s.plane);
+            if (stream_int(&random, 0, 1))
+                lay_plane(&random, &s);
             s.t = time_of(&random, &s.p);
             keep(pair_families[f].name, i, &s);
         }
@@ -143,6 +159,41 @@ START_TEST(hard_cases_are_right)
         keep("overlap.wc", i, &s);
     }
     fclose(in);
+}
+END_TEST
+
+START_TEST(what_is_not_finite_has_no_value_and_no_sign)
+{
+    // Which inputs a quantity has, in the order of `quantities`.
+    enum { OF_R = 1, OF_V = 2, OF_SIGMA = 4, OF_N = 8, OF_C = 16, OF_T = 32 };
+    static const int inputs[QUANTITIES] = {
+        OF_R | OF_SIGMA,
+        OF_R | OF_V,
+        OF_R | OF_V | OF_SIGMA | OF_T,
+        OF_R | OF_V | OF_T,
+        OF_R | OF_N | OF_C,
+        OF_V | OF_N,
+        OF_R | OF_V | OF_N | OF_C | OF_T,
+    };
+    const double bad[] = {(double)INFINITY, -(double)INFINITY, (double)NAN};
+    for (int place = 0; place < 14; place++)
+        for (int k = 0; k < 3 * QUANTITIES; k++) {
+            scene s = {{{3, 1, 2}, {1, 0, 2}, 1}, {{0, 0, 1}, {1, 2, 0}, 0}, 0.5};
+            const quantity *its = &quantities[k / 3];
+            const struct {
+                double *x;
+                int input;
+            } at[] = {{s.p.r, OF_R},          {s.p.v, OF_V},
+                      {s.plane.v, OF_N},      {s.plane.r, OF_C},
+                      {&s.p.sigma, OF_SIGMA}, {&s.t, OF_T}};
+            const int which = place < 12 ? place / 3 : place - 8;
+            at[which].x[place < 12 ? place % 3 : 0] = bad[k % 3];
+            const int refused = (inputs[k / 3] & at[which].input) != 0;
+            ck_assert_msg((isnan(its->value(&s)) != 0) == refused &&
+                              (its->sign(&s) == 0) == refused,
+                          "%s with %g for its input %d", its->name, bad[k % 3],
+                          place);
+        }
 }
 END_TEST
 
@@ -267,6 +318,7 @@ int main(void)
     tcase_set_timeout(all, 600);
     tcase_add_test(all, signs_are_exact_and_values_within_the_bound);
     tcase_add_test(all, hard_cases_are_right);
+    tcase_add_test(all, what_is_not_finite_has_no_value_and_no_sign);
     tcase_add_test(all, perpendicular_is_neither_coming_nor_going);
     tcase_add_test(all, touching_is_zero);
     tcase_add_loop_test(all, all_small_whole_balls_are_right, 0, count);

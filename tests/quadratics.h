@@ -139,6 +139,38 @@ static inline void quadratic_tiny_root(stream *s, quadratic_case *q)
     q->c = stream_scaled(s, -1074, -960);
 }
 
+/** A discriminant as small as 2^-106 of its terms, but not 0: that of x^2 - d is
+ *  kept where x becomes x + k, or 1 / x, until the coefficients have 53 bits. */
+static inline void quadratic_close(stream *s, quadratic_case *q)
+{
+    double a = 1, h = 0, c = -floor(fabs(stream_scaled(s, 0, 50)));
+    for (;;) {
+        const double k = stream_sign(s) * stream_int(s, 1, 9);
+        const double next_h = h + k * a, next_c = c + k * (h + next_h);
+        if (fabs(next_h) > 0x1p52 || fabs(next_c) > 0x1p53)
+            break;
+        h = next_h;
+        c = a;
+        a = next_c;
+    }
+    q->a = a;
+    q->b = 2 * h;
+    q->c = c;
+}
+
+/** Coefficients whose products have bits below the least double. */
+static inline void quadratic_edge(stream *s, quadratic_case *q)
+{
+    const int e = stream_int(s, -515, -480), unit = stream_int(s, -4, 4);
+    if (stream_int(s, 0, 1))
+        quadratic_benign(s, q);
+    else
+        quadratic_double_root(s, q);
+    q->a = ldexp(q->a, e - unit);
+    q->b = ldexp(q->b, e);
+    q->c = ldexp(q->c, e + unit);
+}
+
 typedef struct quadratic_family {
     const char *name;
     void (*make)(stream *, quadratic_case *);
@@ -151,6 +183,7 @@ static const quadratic_family quadratic_families[] = {
     {"wild", quadratic_wild},          {"subnormal", quadratic_subnormal},
     {"huge", quadratic_huge},          {"midpoint", quadratic_midpoint},
     {"sqrt", quadratic_sqrt_midpoint}, {"tiny", quadratic_tiny_root},
+    {"close", quadratic_close},        {"edge", quadratic_edge},
 };
 enum {
     QUADRATIC_FAMILIES = sizeof quadratic_families / sizeof *quadratic_families

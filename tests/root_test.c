@@ -141,6 +141,41 @@ START_TEST(midpoints_go_to_even_and_their_neighbours_to_their_side)
 }
 END_TEST
 
+START_TEST(a_double_root_halfway_between_two_doubles_goes_to_the_even_one)
+{
+    stream s = {SEED};
+    for (int i = 0; i < CASES; i++) {
+        const int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
+        const double even = (double)(low + low % 2);
+        for (int sign = -1; sign <= 1; sign += 2) { // a (x - m)^2, a = sign
+            brink_dyadic a, m, b, c, square, d;
+            brink_dyadic_integer(&a, sign, 0);
+            brink_dyadic_integer(&m, 2 * low + 1, -1);
+            brink_dyadic_integer(&d, 0, 0);
+            brink_dyadic_mul(&square, &m, &m);
+            brink_dyadic_mul(&c, &a, &square);
+            brink_dyadic_integer(&b, -sign * (2 * low + 1), -1);
+            ck_assert(brink_dyadic_root(&a, &b, &c, &d, BRINK_LOWER) == even);
+            ck_assert(brink_dyadic_root(&a, &b, &c, &d, BRINK_UPPER) == even);
+        }
+    }
+}
+END_TEST
+
+START_TEST(a_root_at_0_is_0)
+{
+    brink_dyadic one, two, zero;
+    brink_dyadic_integer(&zero, 0, 0);
+    brink_dyadic_integer(&one, 1, 0);
+    brink_dyadic_integer(&two, 2, 0);
+    ck_assert(brink_dyadic_quotient(&zero, &two) == 0);
+    // x^2 and x^2 + 2 x
+    ck_assert(brink_dyadic_root(&two, &zero, &zero, &zero, BRINK_UPPER) == 0);
+    ck_assert(brink_dyadic_root(&one, &one, &zero, &one, BRINK_UPPER) == 0);
+    ck_assert(brink_dyadic_root(&one, &one, &zero, &one, BRINK_LOWER) == -2);
+}
+END_TEST
+
 START_TEST(the_edges_of_the_range_round_as_ieee_has_it)
 {
     brink_dyadic x, y;
@@ -163,8 +198,9 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("root", 300, roots_are_correctly_rounded,
-                     quotients_are_correctly_rounded,
-                     midpoints_go_to_even_and_their_neighbours_to_their_side,
-                     the_edges_of_the_range_round_as_ieee_has_it);
+    return RUN_SUITE(
+        "root", 300, roots_are_correctly_rounded, quotients_are_correctly_rounded,
+        midpoints_go_to_even_and_their_neighbours_to_their_side,
+        a_double_root_halfway_between_two_doubles_goes_to_the_even_one,
+        a_root_at_0_is_0, the_edges_of_the_range_round_as_ieee_has_it);
 }

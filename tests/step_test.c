@@ -23,6 +23,7 @@ static int next_of(const brink_potential *p, int level, int event)
     int next = 12345;
     int legal = brink_step_next(p, level, (enum brink_event_kind)event, &next);
     ck_assert(legal == 1 || (legal == 0 && next == level));
+    ck_assert(legal == 0 || next >= 0); // below, -1 is for what is not legal
     return legal ? next : -1;
 }
 

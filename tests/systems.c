@@ -85,10 +85,11 @@ static int same_levels(const brink_run *a, const brink_run *b)
     if (s->used != b->states.used)
         return 0;
     for (uint32_t i = 0; i < s->particles; i++)
-        for (uint32_t k = s->first[i]; k != BRINK_NO_LINK; k = s->link[k].next)
-            if (brink_states_level(&b->states, i, s->link[k].partner) !=
-                s->link[k].level)
+        for (uint32_t k = 0; k < s->circle[i].count; k++) {
+            const brink_link link = brink_states_links(s, i)[k];
+            if (brink_states_level(&b->states, i, link.partner) != link.level)
                 return 0;
+        }
     return 1;
 }
 
@@ -100,7 +101,7 @@ int same_state(const brink_run *a, const brink_run *b)
                   n * sizeof *a->system.particle) == 0 &&
            memcmp(a->cells.cell, b->cells.cell, n * sizeof *a->cells.cell) == 0 &&
            memcmp(a->calendar.entry, b->calendar.entry,
-                  2 * n * sizeof *a->calendar.entry) == 0 &&
+                  n * sizeof *a->calendar.entry) == 0 &&
            memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&
            brink_instant_compare(a->now, b->now) == 0 && a->idle == b->idle &&
            same_levels(a, b);
