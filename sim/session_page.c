@@ -190,11 +190,12 @@ int brink_page_write(const char *dir, const char *title,
 {
     const brink_system *s = &run->system;
     const brink_wish *w = &record->wish;
+    const char *heading = *title ? title : "What was observed";
     brink_report page;
     if (write_tables(dir, record, s))
         return -1;
-    brink_report_open_page(&page, dir, "observed", title);
-    brink_report_heading(&page, 1, "%s", *title ? title : "What was observed");
+    brink_report_open_page(&page, dir, "observed", heading);
+    brink_report_heading(&page, 1, "%s", heading);
     brink_report_paragraph(
         &page,
         "%" PRIu32 " particles, %" PRIu64

@@ -192,12 +192,12 @@ START_TEST(a_dilute_square_well_is_its_virial_expansion)
     // the surroundings of a pair, 1/N of all, are missing.
     const double left_out = 14 * density * 14 * density / 2 + 1 / n;
     const double well = inside * (1 + density * mean_first_order(1, 1.5, inside));
-    const double outside = 1 + density * mean_first_order(2, 2.5, inside);
+    const double away = 1 + density * mean_first_order(2, 2.5, inside);
     // What the error of k_B T is in e^{1/kT}.
     const double warmer = 4 * kt.error / (kt.mean * kt.mean);
     const brink_figure g = brink_figures_of(&r.distances.g[2]);
     expect("g in the well", g, well, (left_out + warmer) * well, 0.02);
-    expect("g outside", brink_figures_of(&r.distances.g[4]), outside, left_out,
+    expect("g outside", brink_figures_of(&r.distances.g[4]), away, left_out,
            0.02);
     // The energy is that of the pairs that are in the well: by their states, and
     // g(r) by their positions.  Sums of 3000 roundings.
