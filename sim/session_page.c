@@ -37,13 +37,21 @@ static int write_tables(const char *dir, const brink_record *record,
     return 0;
 }
 
+static void put_number(brink_report *page, const char *before, int digits,
+                       double x)
+{
+    if (isfinite(x))
+        brink_report_cell(page, "%s%.*g", before, digits, x);
+    else
+        brink_report_cell(page, "not yet");
+}
+
 static void put_row(brink_report *page, const char *what, const char *unit,
                     brink_figure f)
 {
     brink_report_cell(page, "%s", what);
-    brink_report_cell(page, "%.7g", f.mean);
-    brink_report_cell(page, isfinite(f.error) ? PLUS_MINUS " %.1g" : "not yet",
-                      f.error);
+    put_number(page, "", 7, f.mean);
+    put_number(page, PLUS_MINUS " ", 1, f.error);
     brink_report_cell(page, "%s", unit);
 }
 
@@ -182,11 +190,12 @@ int brink_page_write(const char *dir, const char *title,
 {
     const brink_system *s = &run->system;
     const brink_wish *w = &record->wish;
+    const char *heading = *title ? title : "What was observed";
     brink_report page;
     if (write_tables(dir, record, s))
         return -1;
-    brink_report_open_page(&page, dir, "observed", title);
-    brink_report_heading(&page, 1, "%s", *title ? title : "What was observed");
+    brink_report_open_page(&page, dir, "observed", heading);
+    brink_report_heading(&page, 1, "%s", heading);
     brink_report_paragraph(
         &page,
         "%" PRIu32 " particles, %" PRIu64
