@@ -83,7 +83,7 @@ void brink_codec_close(brink_codec *c)
 
 static void move(brink_codec *c, unsigned char *bytes, size_t count)
 {
-    if (c->fault)
+    if (c->fault || count == 0) // of nothing there need not be an address
         return;
     if (!c->reading) {
         c->crc = crc_of(c, c->crc, bytes, count);
