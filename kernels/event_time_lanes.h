@@ -35,13 +35,14 @@ BRINK_INLINE void four_add(four_lanes *sum, four_lanes *lost, const four_lanes *
     *sum = s;
 }
 
-/** What sums_of(r, v, sigma) is, bit for bit: b, c and a in lanes 0 to 2. */
+/** What sums_of(r, v, sigma) is, bit for bit: b, c and a in lanes 0 to 2, and a
+ *  again in the last. */
 BRINK_INLINE sums sums_in_lanes(const double r[3], const double v[3],
                                 double sigma)
 {
     four_lanes p[4], e[4];
     for (int i = 0; i < 3; i++) {
-        four_lanes x = {v[i], r[i], v[i], 0}, y = {r[i], r[i], v[i], 0};
+        four_lanes x = {v[i], r[i], v[i], v[i]}, y = {r[i], r[i], v[i], v[i]};
         p[i] = x * y;
         four_lost_by_product(&e[i], &x, &y, &p[i]);
     }
