@@ -14,9 +14,9 @@
 /** The time that a verdict means, which is certain. */
 BRINK_INLINE double told_time(const meeting *m)
 {
-    double t = if_negative(m->c, 0, time_of_meeting(m));
-    t = if_negative(-m->d, t, if_negative(m->c, 0, (double)INFINITY));
-    return if_negative(m->b, t, (double)INFINITY);
+    const double never = (double)INFINITY;
+    double t = if_negative(-m->d, time_of_meeting(m), never);
+    return if_negative(m->b, if_negative(m->c, 0, t), never);
 }
 
 /** Of a pair that is not certain to miss. */

@@ -50,10 +50,9 @@ static int find_open(int n, double *t, int *open)
     return count;
 }
 
-/** Looks once more at those still open, gathered so that they lie together; the
- *  number of those that then still are. */
-static int look_again(int count, int *open, const many *p, double *t,
-                      glance *look)
+/** Looks once more at those still open, gathered so that they lie together. */
+static void look_again(int count, const int *open, const many *p, double *t,
+                       glance *look)
 {
     double of[7][BLOCK], again[BLOCK];
     for (int k = 0; k < count; k++) {
@@ -67,14 +66,8 @@ static int look_again(int count, int *open, const many *p, double *t,
         of[6][k] = p->sigma[i];
     }
     look(count, &(many){of[0], of[1], of[2], of[3], of[4], of[5], of[6]}, again);
-    int left = 0;
-    for (int k = 0; k < count; k++) {
-        int i = open[k];
-        t[i] = again[k];
-        open[left] = i;
-        left += again[k] < 0;
-    }
-    return left;
+    for (int k = 0; k < count; k++)
+        t[open[k]] = again[k];
 }
 
 // --- What is seen at a glance --------------------------------------------------
@@ -184,12 +177,10 @@ static void part_fast(int n, const many *p, double *t)
 // --- The batches ---------------------------------------------------------------
 
 /** One block after the other; the answers are written when a block has been
- *  read.  Of the first two glances that comes first which had more to say of the
- *  block before. */
-static void in_blocks(size_t n, const many *all, double *t,
-                      glance *const glances[], scalar *kernel)
+ *  read.  That glance comes first which had more to say of the block before. */
+static void in_blocks(size_t n, const many *all, double *t, glance *first,
+                      glance *second, scalar *kernel)
 {
-    int first = 0;
     for (size_t at = 0; at < n; at += BLOCK) {
         int size = n - at < BLOCK ? (int)(n - at) : BLOCK, open[BLOCK + 1];
         const many block = {all->rx + at,   all->ry + at, all->rz + at,
@@ -197,18 +188,21 @@ static void in_blocks(size_t n, const many *all, double *t,
                             all->sigma + at};
         const many *p = &block;
         double found[BLOCK];
-        glances[first](size, p, found);
+        first(size, p, found);
         int count = find_open(size, found, open);
-        int is_other_better = glances[1] && 2 * count > size;
-        for (int g = 0; glances[g] && count > 0; g++)
-            if (g != first)
-                count = look_again(count, open, p, found, glances[g]);
-        for (int k = 0; k < count; k++) {
-            GET_PAIR(p, open[k]);
-            found[open[k]] = kernel(r, v, sigma);
-        }
+        if (second && count > 0)
+            look_again(count, open, p, found, second);
+        for (int k = 0; k < count; k++)
+            if (found[open[k]] < 0) {
+                GET_PAIR(p, open[k]);
+                found[open[k]] = kernel(r, v, sigma);
+            }
         memcpy(t + at, found, (size_t)size * sizeof *found);
-        first = is_other_better ? 1 - first : first;
+        if (second && 2 * count > size) {
+            glance *better = second;
+            second = first;
+            first = better;
+        }
     }
 }
 
@@ -218,8 +212,7 @@ void brink_intersection_times(size_t n, const double *rx, const double *ry,
                               const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    glance *const glances[] = {miss, meet, NULL};
-    in_blocks(n, &all, t, glances, brink_intersection_time);
+    in_blocks(n, &all, t, miss, meet, brink_intersection_time);
 }
 
 void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
@@ -228,8 +221,7 @@ void brink_intersection_times_fast(size_t n, const double *rx, const double *ry,
                                    const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    glance *const glances[] = {meet_fast, NULL};
-    in_blocks(n, &all, t, glances, brink_intersection_time_fast);
+    in_blocks(n, &all, t, meet_fast, NULL, brink_intersection_time_fast);
 }
 
 void brink_disjoint_times(size_t n, const double *rx, const double *ry,
@@ -237,8 +229,7 @@ void brink_disjoint_times(size_t n, const double *rx, const double *ry,
                           const double *vz, const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    glance *const glances[] = {pass, part, NULL};
-    in_blocks(n, &all, t, glances, brink_disjoint_time);
+    in_blocks(n, &all, t, pass, part, brink_disjoint_time);
 }
 
 void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
@@ -247,6 +238,5 @@ void brink_disjoint_times_fast(size_t n, const double *rx, const double *ry,
                                const double *sigma, double *t)
 {
     const many all = {rx, ry, rz, vx, vy, vz, sigma};
-    glance *const glances[] = {pass_fast, part_fast, NULL};
-    in_blocks(n, &all, t, glances, brink_disjoint_time_fast);
+    in_blocks(n, &all, t, pass_fast, part_fast, brink_disjoint_time_fast);
 }

@@ -67,7 +67,8 @@ BRINK_INLINE double meeting_time_fast(const outline *o)
 //
 // To first order an error of the time does not displace a pair that passes by.
 
-/** sqrt(max(0, d)), never a branch. */
+/** sqrt(max(0, d)), never a branch; smaller() would keep a loop from becoming
+ *  vectors. */
 BRINK_INLINE double root_of_chord(double d)
 {
     return sqrt(0.5 * (d + fabs(d)));
@@ -120,8 +121,6 @@ BRINK_INLINE int scale_pair(scaled_pair *p, const double r[3], const double v[3]
 /** t 2^unit, t >= 0. */
 BRINK_INLINE double unscaled_time(const scaled_pair *p, double t)
 {
-    int limited = p->unit < -2040 ? -2040 : p->unit > 2040 ? 2040 : p->unit;
-    int half = limited / 2;
-    return t * power_of_two(half) * power_of_two(limited - half);
+    return scaled(t, p->unit < -2040 ? -2040 : p->unit > 2040 ? 2040 : p->unit);
 }
 #endif

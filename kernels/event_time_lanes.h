@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef BRINK_EVENT_TIME_LANES_H
 #define BRINK_EVENT_TIME_LANES_H
-/** What the event times do in two lanes; not installed. */
+/** What the event times do in lanes; not installed. */
 #include "event_time_sums.h"
 #include "lanes.h"
 

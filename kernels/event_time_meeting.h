@@ -45,10 +45,9 @@ BRINK_INLINE meeting meeting_of(const sums *m)
     return (meeting){b, c, d.d, never, now, later};
 }
 
-/** The time of one that meets later, within 8 ulp: c is off by 1u
- *  + 2.85u; sqrt(d), at most half of the sum, by 1.2u + 1u, and b by 1u; sum and
- *  quotient are rounded: 3.85u + (2.2u + 1u) / 2 + 2u < 8u, and 8u are at most 8
- *  ulp. */
+/** The time of one that meets later, within 8 ulp: c is off by 1u + 2.85u;
+ *  sqrt(d), at most half of the sum, by 1.2u + 1u, and b by 1u; sum and quotient
+ *  are rounded: 3.85u + (2.2u + 1u) / 2 + 2u < 8u, and 8u are at most 8 ulp. */
 BRINK_INLINE double time_of_meeting(const meeting *m)
 {
     return m->c / (sqrt(fabs(m->d)) - m->b);

@@ -92,10 +92,10 @@ typedef struct sums {
     double c_error, size;
 } sums;
 
-BRINK_INLINE double sum_of(dd x)
-{
-    return x.hi + x.lo;
-}
+/** r.v and r.r. */
+typedef struct two_dots {
+    dd rv, rr;
+} two_dots;
 
 /** x.y, error <= 7u^2 sum |x_i y_i|: what products and sums are off by is
  *  exact, and at most 3u of that sum in all; it is added up with five
@@ -107,11 +107,6 @@ BRINK_INLINE dd dot_of(const double x[3], const double y[3])
     dd s = two_sum(p.hi, q.hi), t = two_sum(s.hi, r.hi);
     return (dd){t.hi, (p.lo + q.lo + r.lo) + (s.lo + t.lo)};
 }
-
-/** r.v and r.r. */
-typedef struct two_dots {
-    dd rv, rr;
-} two_dots;
 
 /** The same with a fourth product: error of b <= 7u^2 P, of c <= 11u^2 R,
  *  where R is more than 2^-900, so that what underflows does not count.  Where

@@ -57,6 +57,11 @@ BRINK_INLINE dd two_prod(double a, double b)
     return (dd){p, fma(a, b, -p)};
 }
 
+BRINK_INLINE double sum_of(dd x) // rounded once
+{
+    return x.hi + x.lo;
+}
+
 // --- Double-double -------------------------------------------------------------
 //
 // Errors relative to the exact result, barring over- and underflow.  The
@@ -233,5 +238,11 @@ BRINK_INLINE int common_exponent(int n, const double *x)
 BRINK_INLINE double power_of_two(int e)
 {
     return double_of((uint64_t)(e + 1023) << 52);
+}
+
+/** x 2^e, |e| <= 2040, rounded once if x 2^(e/2) is normal. */
+BRINK_INLINE double scaled(double x, int e)
+{
+    return x * power_of_two(e / 2) * power_of_two(e - e / 2);
 }
 #endif

@@ -37,11 +37,6 @@ BRINK_INLINE dd gather(dd sum, dd term)
     return (dd){s.hi, sum.lo + (s.lo + term.lo)};
 }
 
-BRINK_INLINE double sum_of(dd x)
-{
-    return x.hi + x.lo;
-}
-
 /** r + v t - c, and |r| + |v t| + |c|.  The little that is added to that stands
  *  for the low part of v t, which may be lost: less than 2^-1074, but it is
  *  multiplied by what may be large. */

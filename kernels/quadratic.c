@@ -63,12 +63,6 @@ BRINK_INLINE parts taken_apart(double x)
     return (parts){with_exponent(m, 0), e};
 }
 
-/** x 2^e, rounded once: x is so that the first step stays normal. */
-static double scaled(double x, int e)
-{
-    return x * power_of_two(e / 2) * power_of_two(e - e / 2);
-}
-
 /** a x^2 + b x + c = 0 as a y^2 + b y + c = 0 with x = y 2^unit, and a and c
  *  of order 1: exact, but for b where it is too small or too large to be in
  *  range. */

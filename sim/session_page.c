@@ -9,32 +9,38 @@
 
 #define PLUS_MINUS "\xc2\xb1"
 
+/** Writes what was observed, as a table or as a plot's script. */
+typedef void writer(FILE *out, const brink_record *record, const brink_system *s);
+
+static int write_table(const char *dir, const char *name, writer *table,
+                       const brink_record *record, const brink_system *s)
+{
+    FILE *out = brink_files_begin(dir, name);
+    if (!out)
+        return -1;
+    table(out, record, s);
+    return brink_files_end(out, dir, name, ferror(out));
+}
+
+static void table_speeds(FILE *out, const brink_record *record,
+                         const brink_system *s)
+{
+    (void)s;
+    brink_figures_speeds(out, record);
+}
+
 static int write_tables(const char *dir, const brink_record *record,
                         const brink_system *s)
 {
-    FILE *out;
-    if (record->wish.distance_bins > 0) {
-        if (!(out = brink_files_begin(dir, "distances.dat")))
-            return -1;
-        brink_figures_distances(out, record, s);
-        if (brink_files_end(out, dir, "distances.dat", ferror(out)))
-            return -1;
-    }
-    if (record->wish.lags > 0) {
-        if (!(out = brink_files_begin(dir, "displacements.dat")))
-            return -1;
-        brink_figures_displacements(out, record, s);
-        if (brink_files_end(out, dir, "displacements.dat", ferror(out)))
-            return -1;
-    }
-    if (record->wish.speeds) {
-        if (!(out = brink_files_begin(dir, "speeds.dat")))
-            return -1;
-        brink_figures_speeds(out, record);
-        if (brink_files_end(out, dir, "speeds.dat", ferror(out)))
-            return -1;
-    }
-    return 0;
+    const brink_wish *w = &record->wish;
+    if (w->distance_bins > 0 &&
+        write_table(dir, "distances.dat", brink_figures_distances, record, s))
+        return -1;
+    if (w->lags > 0 && write_table(dir, "displacements.dat",
+                                   brink_figures_displacements, record, s))
+        return -1;
+    return w->speeds ? write_table(dir, "speeds.dat", table_speeds, record, s)
+                     : 0;
 }
 
 static void put_number(brink_report *page, const char *before, int digits,
@@ -78,14 +84,20 @@ static void put_averages(brink_report *page, const brink_record *record,
     brink_report_table_end(page);
 }
 
-// Draws `script`, which open_memstream gave, and frees it.
 static void put_plot(brink_report *page, const char *name, const char *caption,
-                     FILE *out, char **script)
+                     writer *plot, const brink_record *record,
+                     const brink_system *s)
 {
+    char *script = NULL;
+    size_t size;
+    FILE *out = open_memstream(&script, &size);
+    if (!out)
+        return;
+    plot(out, record, s);
     fclose(out);
-    if (*script)
-        brink_report_figure(page, name, caption, *script);
-    free(*script);
+    if (script)
+        brink_report_figure(page, name, caption, script);
+    free(script);
 }
 
 // Bars of one error either way: the errors stand in the column behind `column`.
@@ -97,14 +109,9 @@ static void put_bars(FILE *out, int column, int line)
             column, column + 1, column + 1, line);
 }
 
-static void plot_distances(brink_report *page, const brink_record *record,
+static void plot_distances(FILE *out, const brink_record *record,
                            const brink_system *s)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *out = open_memstream(&script, &size);
-    if (!out)
-        return;
     fprintf(
         out,
         "set xlabel 'distance r'\nset ylabel 'g(r)'\nset yrange [0:*]\n"
@@ -122,20 +129,11 @@ static void plot_distances(brink_report *page, const brink_record *record,
             put_bars(out, 2 * kind + 2, kind % 8 + 1);
         }
     fputs("\n", out);
-    put_plot(page, "distances",
-             "How many pairs are at a distance, to how many there would be "
-             "without interaction.",
-             out, &script);
 }
 
-static void plot_displacements(brink_report *page, const brink_record *record,
+static void plot_displacements(FILE *out, const brink_record *record,
                                const brink_system *s)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *out = open_memstream(&script, &size);
-    if (!out)
-        return;
     fprintf(out, "set xlabel 'time'\nset ylabel 'mean squared displacement'\n"
                  "set logscale xy\nset key top left\n"
                  "set format x '10^{%%T}'\nset format y '10^{%%T}'\nplot ");
@@ -154,23 +152,12 @@ static void plot_displacements(brink_report *page, const brink_record *record,
                     d.mean);
     }
     fputs("\n", out);
-    put_plot(page, "displacements",
-             "How far particles get: first in straight lines, as t^2, and when "
-             "they have forgotten their velocity, by diffusion, as t. D is the "
-             "slope over the second half: it holds if the points run along their "
-             "line there.",
-             out, &script);
 }
 
 // Maxwell's speeds at the temperature measured, in units of that at the start.
-static void plot_speeds(brink_report *page, const brink_record *record,
+static void plot_speeds(FILE *out, const brink_record *record,
                         const brink_system *s)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *out = open_memstream(&script, &size);
-    if (!out)
-        return;
     const double hotter =
         brink_series_mean(&record->temperature) / record->thermal;
     fprintf(out,
@@ -182,7 +169,6 @@ static void plot_speeds(brink_report *page, const brink_record *record,
             hotter, s->dimensions == 3 ? "sqrt(2/pi) * u**2 / T**1.5" : "u / T");
     put_bars(out, 2, 1);
     fputs("\n", out);
-    put_plot(page, "speeds", "The speeds of all particles.", out, &script);
 }
 
 int brink_page_write(const char *dir, const char *title,
@@ -215,12 +201,22 @@ int brink_page_write(const char *dir, const char *title,
             "answered for; take a shorter `every`.",
             record->displacements.farthest);
     if (record->samples >= BRINK_SERIES_BLOCKS && w->distance_bins > 0)
-        plot_distances(&page, record, s);
+        put_plot(&page, "distances",
+                 "How many pairs are at a distance, to how many there would be "
+                 "without interaction.",
+                 plot_distances, record, s);
     if (w->lags > 0 && brink_displacements_trusted(&record->displacements) &&
         record->displacements.looks > (uint64_t)w->lags * BRINK_SERIES_BLOCKS)
-        plot_displacements(&page, record, s);
+        put_plot(
+            &page, "displacements",
+            "How far particles get: first in straight lines, as t^2, and when "
+            "they have forgotten their velocity, by diffusion, as t. D is the "
+            "slope over the second half: it holds if the points run along their "
+            "line there.",
+            plot_displacements, record, s);
     if (record->samples >= BRINK_SERIES_BLOCKS && w->speeds)
-        plot_speeds(&page, record, s);
+        put_plot(&page, "speeds", "The speeds of all particles.", plot_speeds,
+                 record, s);
     brink_report_close(&page, stderr);
     return 0;
 }
