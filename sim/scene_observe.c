@@ -71,8 +71,9 @@ static void read_displacements(brink_source *s, brink_scene *scene,
     const brink_node *value = keys[0].value;
     if (!brink_value_positive(s, value, "up_to", &most) || !(w->every > 0))
         return;
-    // 1e-9: a quotient of two rounded numbers may be a little less than whole
-    const double lags = floor(most / w->every * (1 + 1e-9));
+    // A quotient that is whole in the scene's decimals is off by 3u here, and its
+    // product by one more: 8u brings it back.
+    const double lags = floor(most / w->every * (1 + 0x1p-50));
     if (lags < 2 || lags > LAGS_MOST) {
         brink_complain(s, value->at,
                        "%s is %.6g times 'every': it has to be 2 to %d times\n"
