@@ -54,7 +54,7 @@ START_TEST(those_are_listed_who_could_meet_and_nobody_else)
         brink_run run;
         make_run(&run, scenes[k]);
         ck_assert_double_gt(run.neighbours.radius, 0);
-        for (uint64_t events = 0; events <= 20000; events += 4000) {
+        for (uint64_t events = 0; events <= 20000; events += 10000) {
             advance(&run, events);
             lists_are_right(&run);
             ck_assert_ptr_null(brink_run_is_valid(&run));
