@@ -5,11 +5,20 @@
 
 #define NO_BLOCK UINT32_MAX
 
-// The size, as 4 * 2^size, of the block for so many items; -1 for none.
+// Sizes of blocks: 4, 5, 6, 7, then 8, 10, 12, 14 and so on, four to an octave, so
+// that a quarter of a block at most is room.
+static uint32_t room_of(int size)
+{
+    return (UINT32_C(4) + (uint32_t)size % 4) << (size / 4);
+}
+
+// The smallest size for so many items; -1 for none.
 static int size_for(uint32_t count)
 {
     int size = -1;
-    while (count > 0 && (size < 0 || UINT32_C(4) << size < count))
+    if (count > 8) // where to begin: the power of two not above
+        size = 4 * (31 - __builtin_clz(count) - 2) - 1;
+    while (count > 0 && (size < 0 || room_of(size) < count))
         size++;
     return size;
 }
@@ -26,7 +35,7 @@ static uint32_t take_block(brink_lists *l, int size)
         memcpy(&l->free[size], at(l, first), sizeof l->free[size]);
     } else {
         first = l->touched;
-        l->touched += UINT32_C(4) << size;
+        l->touched += room_of(size);
     }
     return first;
 }
@@ -37,11 +46,11 @@ static void free_block(brink_lists *l, uint32_t first, int size)
     l->free[size] = first;
 }
 
-// Makes the pool twice as large, or as large as needed.  0, -1 no memory.
+// Makes the pool a quarter larger, or as large as needed.  0, -1 no memory.
 static int grow(brink_lists *l, uint64_t needed)
 {
-    const uint64_t twice = 2 * (uint64_t)l->capacity;
-    uint64_t capacity = twice < NO_BLOCK ? twice : NO_BLOCK - 1;
+    const uint64_t more = l->capacity + (uint64_t)l->capacity / 4;
+    uint64_t capacity = more < NO_BLOCK ? more : NO_BLOCK - 1;
     capacity = capacity < needed ? needed : capacity;
     if (capacity >= NO_BLOCK)
         return -1;
@@ -77,7 +86,7 @@ int brink_lists_make_room(brink_lists *l, uint32_t i, uint32_t j)
 {
     const uint32_t ni = l->list[i].count, nj = l->list[j].count;
     const int size = size_for((ni > nj ? ni : nj) + 1);
-    const uint64_t needed = l->touched + (UINT64_C(8) << size);
+    const uint64_t needed = l->touched + 2 * (uint64_t)room_of(size);
     return needed <= l->capacity ? 0 : grow(l, needed);
 }
 

@@ -3,8 +3,8 @@
 #define BRINK_LISTS_H
 /**
  * Lists, one a particle, each in one piece: in a block of a pool that all of them
- * share, with room for 4 items, or 8, or 16, as few as will do.  An empty list
- * has none, so memory goes with the number of items.
+ * share, with room for 4 items or more, as few as will do.  An empty list has
+ * none, so memory goes with the number of items.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -13,7 +13,7 @@ typedef struct brink_list { // items first .. first + count - 1 of the pool
     uint32_t first, count;
 } brink_list;
 
-#define BRINK_BLOCK_SIZES 30 // 4 to 2^31
+#define BRINK_BLOCK_SIZES 120 // 4 to 7 * 2^29
 
 typedef struct brink_lists {
     uint32_t lists;
