@@ -135,7 +135,7 @@ static void predict(plain_simulator *s, uint32_t i, uint32_t j)
     const int captured = plain_is_captured(s, i, j);
     double r[3], u[3];
     plain_relative(s, i, j, r, u);
-    s->predictions++;
+    s->predictions += 1 + (uint64_t)captured; // in, and out of it
     const double in = baseline_intersection(r, u, captured ? s->core : s->range);
     const double out =
         captured ? baseline_disjoint(r, u, s->range) : (double)INFINITY;
