@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * Speed against error, of the kernels; speed beside a plain one, of the simulator.
+ * The kernels: speed against error.  The simulator: speed beside a plain one.
  *
  *   bench [OPTION VALUE]...   writes the kernels' page
  *         --out FOLDER            into FOLDER
@@ -10,7 +10,7 @@
  *         --instructions FILE     with the counts that instructions.sh wrote
  *   bench simulator [OPTION VALUE]...   writes the simulator's page
  *         --out FOLDER            into FOLDER
- *         --seconds S             with pieces of S seconds, or an event a particle
+ *         --seconds S             with pieces of S seconds, or one event each
  *         --particles N           in systems of at most N particles
  *         --instructions FILE     with the counts that simulator_counts.sh wrote
  *   bench speed [PART]        prints what was asked of the kernels' speed, and

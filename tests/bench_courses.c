@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench_courses.h"
 
-/** Number density of spheres of diameter 1 at a packing fraction: 6 / pi of it. */
+/** Number density of spheres of diameter 1 at a packing fraction: 6 / pi */
 #define PACKED(fraction) ((fraction)*1.909859317102744)
 
 const bench_course bench_courses[COURSES] = {

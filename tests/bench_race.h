@@ -43,8 +43,8 @@ typedef struct race_pair {
 int race_begin(race_pair *p, const race_course *c);
 void race_end(race_pair *p);
 
-/** So many events more of one of them; the seconds of CPU time they took.  Ends the
- * program if the run stops: there is nothing to measure then. */
+/** So many events more of one of them; the seconds of CPU time they took.  Ends
+ * the program if the run stops: there is nothing to measure then. */
 double race_go(race_pair *p, enum racer who, uint64_t events);
 
 /** What a race has shown. */
@@ -57,8 +57,8 @@ typedef struct race_result {
     double captured;           // partners a particle has
 } race_result;
 
-/** Lets both settle for some events a particle, then go on in turns, each piece of
- * `seconds` of brink's time and no shorter than an event a particle.  0, or -1
+/** Lets both settle for some events a particle, then go on in turns, each piece
+ * of `seconds` of brink's time and no shorter than an event a particle.  0, or -1
  * after a word to stderr. */
 int race_hold(race_result *result, const race_course *c, double seconds);
 #endif

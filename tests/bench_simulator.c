@@ -12,7 +12,7 @@
 
 // --- Numbers -------------------------------------------------------------------
 
-/** A count of no more than three digits that mean anything; a blank for 0 or NaN. */
+/** A count, to three digits; a blank for 0 or NaN. */
 static void put_count(brink_report *r, double x)
 {
     if (!(x > 0)) {

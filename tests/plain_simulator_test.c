@@ -9,11 +9,13 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Both begin with roundings of 2^-53 that grow with every collision, as
- * sequence_test has it.  Here 256 particles have 4 events each, and 15 of the 53
- * bits are left to tell one pair's event from another's: the time between two
- * events is 2^-10 or so. */
-#define TIMES_AGREE 1e-9
+/* Two that begin with different roundings part, as sequence_test has it: each
+ * collision magnifies what a particle deviates by twice its way from the last
+ * one or so, in diameters.  In the most dilute system here that way is 2.5 on
+ * average, 1 / (sqrt(2) pi 3^2 0.01), and a particle has 4 events, some have 8:
+ * 5^8 < 2^19.  Coordinates are below 2^5, so they begin with roundings of
+ * 2^-49.  Seen is 4e-11. */
+#define TIMES_AGREE 0x1p-30
 enum { EVENTS = 512 };
 
 static const char denser_spheres[] = "seed: 21\n"
@@ -74,9 +76,9 @@ static void check_energy(int k)
     plain_destroy(&s);
 }
 
-/* How far beyond a surface rounding may leave a pair that comes back with its next
- * event: its time, below 2^8, is rounded by 2^-46, and as often again in reckoning
- * with it; speeds are below 2^3. */
+/* How far beyond a surface rounding may leave a pair that comes back with its
+ * next event: its time, below 2^8, is rounded by 2^-46 at most, and as often
+ * again in reckoning with it; speeds are below 2^3. */
 #define BEYOND (4 * 0x1p-46 * 8)
 
 static void check_levels(int k)

@@ -2,8 +2,8 @@
 /**
  * Lets both simulators go through some thousand events of each system, for
  * simulator_counts.sh to have callgrind count their instructions: each has its
- * costs dumped under "NAME WHO EVENTS".  Pairs whose event was predicted it counts
- * by itself, and says so: "NAME WHO pairs NUMBER", an event.
+ * costs dumped under "NAME WHO EVENTS".  Predictions of pairs
+ * it counts itself, and prints "NAME WHO pairs NUMBER", an event.
  *
  *   simulator_count [PARTICLES]     in systems of no more than so many
  */
