@@ -21,26 +21,32 @@
 #define CALLGRIND_DUMP_STATS_AT(name) (void)(name)
 #endif
 
-/** Of brink's; the linker leads its calls of the kernels through here. */
-static double pairs;
+// The linker leads calls of these kernels here: see CMakeLists.txt.
+typedef void batch(size_t n, const double *rx, const double *ry, const double *rz,
+                   const double *vx, const double *vy, const double *vz,
+                   const double *sigma, double *t);
+batch real_in __asm__("__real_brink_intersection_times");
+batch real_out __asm__("__real_brink_disjoint_times");
+batch counted_in __asm__("__wrap_brink_intersection_times");
+batch counted_out __asm__("__wrap_brink_disjoint_times");
 
-#define BATCH(name)                                                              \
-    void __real_##name(size_t n, const double *rx, const double *ry,             \
-                       const double *rz, const double *vx, const double *vy,     \
-                       const double *vz, const double *sigma, double *t);        \
-    void __wrap_##name(size_t n, const double *rx, const double *ry,             \
-                       const double *rz, const double *vx, const double *vy,     \
-                       const double *vz, const double *sigma, double *t);        \
-    void __wrap_##name(size_t n, const double *rx, const double *ry,             \
-                       const double *rz, const double *vx, const double *vy,     \
-                       const double *vz, const double *sigma, double *t)         \
-    {                                                                            \
-        pairs += (double)n;                                                      \
-        __real_##name(n, rx, ry, rz, vx, vy, vz, sigma, t);                      \
-    }
+static double pairs; // that went through them
 
-BATCH(brink_intersection_times)
-BATCH(brink_disjoint_times)
+void counted_in(size_t n, const double *rx, const double *ry, const double *rz,
+                const double *vx, const double *vy, const double *vz,
+                const double *sigma, double *t)
+{
+    pairs += (double)n;
+    real_in(n, rx, ry, rz, vx, vy, vz, sigma, t);
+}
+
+void counted_out(size_t n, const double *rx, const double *ry, const double *rz,
+                 const double *vx, const double *vy, const double *vz,
+                 const double *sigma, double *t)
+{
+    pairs += (double)n;
+    real_out(n, rx, ry, rz, vx, vy, vz, sigma, t);
+}
 
 static void count(race_pair *p, enum racer who, const char *key)
 {
