@@ -58,7 +58,8 @@ typedef struct race_result {
 } race_result;
 
 /** Lets both settle for some events a particle, then go on in turns, each piece
- * of `seconds` of brink's time and no shorter than an event a particle.  0, or -1
- * after a word to stderr. */
+ * of `seconds` of brink's time, but no shorter than brink's year, which is about
+ * as long as each particle takes to have an event, so that what happens once a
+ * year is in every piece.  0, or -1 after a word to stderr. */
 int race_hold(race_result *result, const race_course *c, double seconds);
 #endif
