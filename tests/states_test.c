@@ -36,9 +36,9 @@ START_TEST(only_captured_pairs_are_stored_and_both_know)
     ck_assert_int_eq(brink_states_apply(&t, &s, 3, 7, BRINK_CAPTURE), 0);
     ck_assert_int_eq(brink_states_level(&t, 3, 7), 1);
     ck_assert_int_eq(brink_states_level(&t, 7, 3), 1);
-    ck_assert_uint_eq(t.used, 2);
+    ck_assert_uint_eq(t.links.used, 2);
     ck_assert_int_eq(brink_states_apply(&t, &s, 7, 3, BRINK_RELEASE), 0);
-    ck_assert_uint_eq(t.used, 0);
+    ck_assert_uint_eq(t.links.used, 0);
     ck_assert_ptr_null(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
     brink_system_destroy(&s);
@@ -134,9 +134,9 @@ START_TEST(the_check_sees_particles_that_disagree)
     make(&s);
     ck_assert_int_eq(brink_states_create(&t, &s), 0);
     brink_states_set(&t, &s, 0, 1, 1);
-    t.link[t.circle[0].first].level = 2;
+    ((brink_link *)brink_lists_item(&t.links, 0, 0))->level = 2;
     ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
-    t.link[t.circle[0].first].level = 1;
+    ((brink_link *)brink_lists_item(&t.links, 0, 0))->level = 1;
     t.pairs[1]++;
     ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
