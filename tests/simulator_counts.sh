@@ -11,10 +11,11 @@ shift 2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# Static functions keep their names; those compiled for several paths end in the path's.
+# Compilers add to the name of a function they have cut or copied, and the build adds the
+# path to one compiled for several.
 file_of() {
-    bare=$(echo "$1" | sed -E 's/_(any|fma|avx512)$//')
-    found=$(cd "$source" && grep -lE "^(static |const )*[a-z_0-9]+( [a-z_0-9]+)* \*?($1|$bare)\(" \
+    bare=$(echo "${1%%.*}" | sed -E 's/_(any|fma|avx512)$//')
+    found=$(cd "$source" && grep -lE "^(static |const )*[a-z_0-9]+( [a-z_0-9]+)* \*?(${1%%.*}|$bare)\(" \
         sim/*.c kernels/*.c kernels/*.h) || found=
     if [ "$(echo "$found" | wc -w)" -eq 1 ]; then echo "$found"; else echo -; fi
 }
