@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 /**
- * Speed against error.
+ * The kernels: speed against error.  The simulator: speed beside a plain one.
  *
- *   bench [OPTION VALUE]...   writes a page
+ *   bench [OPTION VALUE]...   writes the kernels' page
  *         --out FOLDER            into FOLDER
  *         --cases N               from N cases of each family
  *         --seconds S             with S seconds for the costs of a problem
  *         --seed N                of other random inputs
  *         --instructions FILE     with the counts that instructions.sh wrote
+ *   bench simulator [OPTION VALUE]...   writes the simulator's page
+ *         --out FOLDER            into FOLDER
+ *         --seconds S             with pieces of S seconds, or one event each
+ *         --particles N           in systems of at most N particles
+ *         --instructions FILE     with the counts that simulator_counts.sh wrote
  *   bench speed [PART]        prints what was asked of the kernels' speed, and
  *                             what is measured, of kernels whose name holds PART
  *   bench count               calls everything, for instructions.sh to count
  */
 #include "bench_count.h"
 #include "bench_page.h"
+#include "bench_simulator.h"
 #include "bench_speed.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,6 +30,8 @@ enum { DONE = 0, FAILED = 1, USAGE = 2 };
 static int usage(void)
 {
     fputs("usage: bench [--out FOLDER] [--cases N] [--seconds S] [--seed N] "
+          "[--instructions FILE]\n"
+          "       bench simulator [--out FOLDER] [--seconds S] [--particles N] "
           "[--instructions FILE]\n"
           "       bench speed [PART]\n"
           "       bench count\n",
@@ -60,47 +68,81 @@ static double number(const char *text)
     return *end == '\0' && x > 0 && x < 1e9 ? x : 0;
 }
 
-static int parse(int argc, char **argv, bench_settings *s)
+typedef struct option { // --NAME VALUE, of words or of a number
+    const char *name;
+    const char **words;
+    double *number;
+    double least;
+} option;
+
+/** Options until one of no name; 0, or -1 where there is something else. */
+static int parse(char **argv, const option *options)
 {
-    for (int k = 1; k < argc; k += 2) {
-        const char *value = argv[k + 1]; // NULL after the last
-        if (value == NULL)
+    for (; argv[0] != NULL; argv += 2) {
+        const option *o = options;
+        while (o->name != NULL && strcmp(o->name, argv[0]) != 0)
+            o++;
+        if (o->name == NULL || argv[1] == NULL)
             return -1;
-        if (strcmp(argv[k], "--out") == 0)
-            s->out = value;
-        else if (strcmp(argv[k], "--instructions") == 0)
-            s->instructions = value;
-        else if (strcmp(argv[k], "--cases") == 0 && number(value) >= 1)
-            s->cases = (int)number(value);
-        else if (strcmp(argv[k], "--seconds") == 0 && number(value) > 0)
-            s->seconds = number(value);
-        else if (strcmp(argv[k], "--seed") == 0 && number(value) >= 1)
-            s->seed = (uint64_t)number(value);
-        else
+        if (o->words != NULL)
+            *o->words = argv[1];
+        else if ((*o->number = number(argv[1])) < o->least || *o->number == 0)
             return -1;
     }
     return 0;
 }
 
-int main(int argc, char **argv)
+static int make_kernels(char **argv, const char *command)
 {
-    char command[1000] = "bench";
-    bench_settings s = {.out = "report",
-                        .command = command,
-                        .cases = 50000,
-                        .seconds = 2,
-                        .seed = 1};
-    if (argc > 1 && argc < 4 && strcmp(argv[1], "speed") == 0)
-        return print_speeds(argc > 2 ? argv[2] : "");
-    if (argc == 2 && strcmp(argv[1], "count") == 0)
-        return bench_count_all(s.seed) == 0 ? DONE : FAILED;
-    if (parse(argc, argv, &s) != 0)
+    bench_settings s = {.out = "report", .command = command};
+    double cases = 50000, seconds = 2, seed = 1;
+    const option options[] = {{"--out", &s.out, NULL, 0},
+                              {"--instructions", &s.instructions, NULL, 0},
+                              {"--cases", NULL, &cases, 1},
+                              {"--seconds", NULL, &seconds, 0},
+                              {"--seed", NULL, &seed, 1},
+                              {NULL, NULL, NULL, 0}};
+    if (parse(argv, options) != 0)
         return usage();
-    size_t at = strlen(command);
-    for (int k = 1; k < argc && at < sizeof command; k++)
-        at += (size_t)snprintf(command + at, sizeof command - at, " %s", argv[k]);
+    s.cases = (int)cases;
+    s.seconds = seconds;
+    s.seed = (uint64_t)seed;
     if (bench_page(&s) != 0)
         return FAILED;
     printf("%s/kernels.html\n", s.out);
     return DONE;
+}
+
+static int make_simulator(char **argv, const char *command)
+{
+    bench_simulator_settings s = {.out = "report", .command = command};
+    double particles = 1e9 - 1, seconds = 0.1;
+    const option options[] = {{"--out", &s.out, NULL, 0},
+                              {"--instructions", &s.counts, NULL, 0},
+                              {"--particles", NULL, &particles, 1},
+                              {"--seconds", NULL, &seconds, 0},
+                              {NULL, NULL, NULL, 0}};
+    if (parse(argv, options) != 0)
+        return usage();
+    s.particles = (uint32_t)particles;
+    s.seconds = seconds;
+    if (bench_simulator(&s) != 0)
+        return FAILED;
+    printf("%s/simulator.html\n", s.out);
+    return DONE;
+}
+
+int main(int argc, char **argv)
+{
+    char command[1000] = "bench";
+    size_t at = strlen(command);
+    for (int k = 1; k < argc && at < sizeof command; k++)
+        at += (size_t)snprintf(command + at, sizeof command - at, " %s", argv[k]);
+    if (argc > 1 && strcmp(argv[1], "simulator") == 0)
+        return make_simulator(argv + 2, command);
+    if (argc > 1 && argc < 4 && strcmp(argv[1], "speed") == 0)
+        return print_speeds(argc > 2 ? argv[2] : "");
+    if (argc == 2 && strcmp(argv[1], "count") == 0)
+        return bench_count_all(1) == 0 ? DONE : FAILED;
+    return make_kernels(argv + 1, command);
 }

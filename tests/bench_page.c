@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench_page.h"
 #include "bench_families.h"
+#include "bench_made.h"
 #include "bench_plots.h"
 #include "bench_tables.h"
 #include "bench_words.h"
@@ -9,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/utsname.h>
 
 enum {
     MAIN = 3, // the problems with all there is to them
@@ -128,32 +128,9 @@ static void write_beginning(brink_report *r, const contest *c)
            "is none of these.");
 }
 
-/** The processor's name, if the system tells it. */
-static void find_processor(char *name, size_t size)
-{
-    char line[300];
-    FILE *in = fopen("/proc/cpuinfo", "r");
-    snprintf(name, size, "unknown processor");
-    while (in != NULL && fgets(line, sizeof line, in) != NULL)
-        if (strncmp(line, "model name", 10) == 0 && strchr(line, ':') != NULL) {
-            line[strcspn(line, "\n")] = '\0';
-            snprintf(name, size, "%s", strchr(line, ':') + 2);
-            break;
-        }
-    if (in != NULL)
-        fclose(in);
-}
-
 static void write_end(brink_report *r, const bench_settings *s)
 {
-    char processor[300];
-    struct utsname u;
-    find_processor(processor, sizeof processor);
-    if (uname(&u) != 0)
-        strcpy(u.machine, "");
-    brink_report_heading(r, 2, "How this page was made");
-    brink_report_verbatim(r, "%s\n\nbrink %s, compiled by %s\n%s, %s", s->command,
-                          BRINK_VERSION, BRINK_COMPILER, processor, u.machine);
+    bench_write_made(r, s->command);
     brink_report_paragraph(
         r,
         "%s cases of each family, a fifth of that for the further kernels, from "
