@@ -2,7 +2,6 @@
 #include "study_doubts.h"
 #include "conventional_method.h"
 #include <brink/event_time.h>
-#include <brink/overlap.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,33 +12,39 @@ typedef struct look {
     double distance; // of the step
     double r[3];
     int shown; // the level that r shows
+    int place; // of |g(r)| among those counted
 } look;
+
+// |r| - sigma = f / (|r| + sigma), and f = r.r - sigma^2 in twice the precision.
+static int place_of(const look *l)
+{
+    brink_sum f = {0};
+    for (int a = 0; a < 3; a++)
+        brink_sum_product(&f, l->r[a], l->r[a]);
+    const double size = sqrt(f.sum), sigma = l->distance;
+    brink_sum_product(&f, -sigma, sigma);
+    int exponent; // 2^(exponent-1) <= gap
+    frexp(brink_sum_value(&f) / ((size + sigma) * sigma), &exponent);
+    const int place = 1 - exponent;
+    return !(fabs(brink_sum_value(&f)) > 0) || place >= BRINK_GAPS
+               ? BRINK_GAPS - 1
+           : place < 0 ? 0
+                       : place;
+}
 
 static void show(look *l)
 {
     l->shown = brink_level_by_position(l->potential, l->r);
+    l->place = place_of(l);
 }
 
 static look look_at(const brink_run *run, uint32_t i, uint32_t j, double distance)
 {
-    look l = {brink_system_potential(&run->system, i, j), distance, {0}, 0};
+    look l = {.potential = brink_system_potential(&run->system, i, j),
+              .distance = distance};
     brink_separation_now(run, i, j, l.r);
     show(&l);
     return l;
-}
-
-// |r| - sigma = f / (|r| + sigma), and f is right to its last bit: so is the place.
-static int place_of(const look *l)
-{
-    const double *r = l->r, f = brink_ball_overlap(r, l->distance);
-    const double size = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-    const double gap = fabs(f) / ((size + l->distance) * l->distance);
-    int exponent;
-    frexp(gap, &exponent); // 2^(exponent-1) <= gap
-    const int place = 1 - exponent;
-    return !(gap > 0) || place >= BRINK_GAPS ? BRINK_GAPS - 1
-           : place < 0                       ? 0
-                                             : place;
 }
 
 static int is_core(const look *l)
@@ -56,11 +61,10 @@ static void count(brink_doubt *d, const look *l, int level)
         d->wrong += l->shown != level;
         return;
     }
-    const int place = place_of(l);
-    d->within[place]++;
+    d->within[l->place]++;
     if (l->shown != level) {
         d->wrong++;
-        d->wrong_by[place]++;
+        d->wrong_by[l->place]++;
     }
 }
 

@@ -96,7 +96,8 @@ typedef struct brink_doubter {
     uint32_t particles;
 } brink_doubter;
 
-/** Begins to look at a run.  0, -1 no memory. */
+/** Begins to look at a run, before its first event or right after one.  0, -1 no
+ * memory. */
 int brink_doubter_create(brink_doubter *d, const brink_run *run);
 void brink_doubter_destroy(brink_doubter *d);
 

@@ -7,7 +7,7 @@
  */
 #include "study_findings.h"
 
-/** What [S16] section 5 found an event, for a square well or a shoulder; else 0. */
+/** What [S16] section 5 found an event, for its well or its shoulder; else 0. */
 double brink_paper_frequency(const brink_scene *s);
 
 /** How a count of so many in so many events compares with a frequency. */

@@ -103,7 +103,7 @@ static int pack(const brink_progress *p, uint32_t count, brink_plan *plan)
     return failed ? -1 : 0;
 }
 
-// A house's calendar is none of a run's: in the run's place there is an empty one.
+// A house's calendar is none of a run's: an empty one stands in for it.
 static int save_run(const brink_attempt *a, const char *folder,
                     const brink_plan *plan, FILE *errors)
 {
