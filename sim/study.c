@@ -101,9 +101,9 @@ static void write_origin(brink_report *r, const study *s)
         at += (size_t)snprintf(command + at, sizeof command - at, "%s%s",
                                k > 0 ? " " : "", s->cases[k].path);
     brink_report_heading(r, 2, "How this page was made");
-    brink_report_verbatim(r,
-                          "brink study %s --out %s\n\nbrink %s, compiled by %s",
-                          command, s->out, BRINK_VERSION, BRINK_COMPILER);
+    brink_report_verbatim(
+        r, "brink study %s --out %s\n\nbrink %s, compiled by %s", command, s->out,
+        BRINK_VERSION BRINK_COMMIT, BRINK_COMPILER);
     for (int k = 0; k < s->count; k++)
         brink_report_paragraph(
             r, "%s: seed %" PRIu64 ", %" PRIu64 " events asked for.",

@@ -110,8 +110,10 @@ void brink_growth_tell(brink_report *r, const brink_case *c)
     if (script != NULL)
         brink_report_figure(r, name, growth_caption, script);
     free(script);
-    brink_report_paragraph(
-        r, "After %s events the energy was off by %s of itself.",
-        brink_words_grouped(t->events).text, brink_words_scientific(g.end).text);
+    brink_report_paragraph(r,
+                           "After %s events the energy was off by %s of "
+                           "itself.",
+                           brink_words_grouped(t->events).text,
+                           brink_words_scientific(fabs(g.end)).text);
     tell_exponent(r, &g);
 }

@@ -31,22 +31,31 @@ static const char gaps_caption[] =
     "rightly or not, so that a program that knows separations no better would "
     "be in doubt.%s";
 
-// By kind: what is asked, and when.
-static const char *const definitions[BRINK_DOUBTS] = {
-    [BRINK_DOUBT_TESTED] = "(A) s(r(t₁)) ≠ ℓ′, t₁ when the pair is next tested: "
-                           "an event or a crossing of a cell's wall of either",
-    [BRINK_DOUBT_NEXT] =
-        "(B) s(r(t₂)) ≠ ℓ′, t₂ the next event of either with a third",
+// By kind, in the order of their letters: when to ask, and what is wrong then.
+static const struct {
+    const char *when, *wrong;
+} definitions[BRINK_DOUBTS] = {
+    [BRINK_DOUBT_TESTED] =
+        {"at t₁ > t, when the pair is next tested: at an event "
+         "of either, or when either crosses a cell's wall",
+         "s(r(t₁))\u00a0≠\u00a0ℓ′"},
+    [BRINK_DOUBT_NEXT] = {"at t₂ > t, the next event of either, with a third",
+                          "s(r(t₂))\u00a0≠\u00a0ℓ′"},
     [BRINK_DOUBT_SYSTEM] =
-        "(C) s(r(t₃)) ≠ ℓ′, t₃ the next event of the system, of another pair",
-    [BRINK_DOUBT_EXECUTED] = "(D) s(r(t)) ≠ ℓ, at execution, before the impulse",
-    [BRINK_DOUBT_STORED] = "(E) s(r(t₀)) ≠ ℓ, the separation stored when the "
-                           "event was predicted, at t₀",
+        {"at t₃ > t, the next event of the system, if it is another pair's",
+         "s(r(t₃))\u00a0≠\u00a0ℓ′"},
+    [BRINK_DOUBT_EXECUTED] =
+        {"at execution, positions advanced, before the impulse",
+         "s(r(t))\u00a0≠\u00a0ℓ"},
+    [BRINK_DOUBT_STORED] = {"at execution, by the separation from which the "
+                            "event was predicted, at t₀",
+                            "s(r(t₀))\u00a0≠\u00a0ℓ"},
     [BRINK_DOUBT_MOVED] =
-        "(F) s(r(t₀) + v(t − t₀)) ≠ ℓ, that brought to the event",
+        {"at execution, by that separation brought to the event",
+         "s(r(t₀) + v(t\u00a0−\u00a0t₀))\u00a0≠\u00a0ℓ"},
     [BRINK_DOUBT_AFTER] =
-        "(G) s(r(t)) ≠ ℓ′, right after the impulse, where the pair is tested at "
-        "once",
+        {"right after the impulse, where the pair is tested at once",
+         "s(r(t))\u00a0≠\u00a0ℓ′"},
 };
 
 double brink_paper_frequency(const brink_scene *s)
@@ -68,27 +77,41 @@ enum brink_standing brink_standing_of(uint64_t count, uint64_t events,
                                           : BRINK_NEAR;
 }
 
-static void tell_definitions(brink_report *r, const brink_doubts *d, double paper)
+static void tell_definitions(brink_report *r)
 {
-    static const char *const head[] = {"position shows another state", "looks",
-                                       "seen", "an event", "beside [S16]'s"};
+    static const char *const head[] = {"", "when position is asked",
+                                       "and shows another state"};
+    brink_report_table(r, "Seven moments to ask.", 3, "lll", head);
+    for (int k = 0; k < BRINK_DOUBTS; k++) {
+        brink_report_cell(r, "%c", 'A' + k);
+        brink_report_cell(r, "%s", definitions[k].when);
+        brink_report_cell(r, "%s", definitions[k].wrong);
+    }
+    brink_report_table_end(r);
+}
+
+static void tell_counts(brink_report *r, const brink_doubts *d, double paper)
+{
+    static const char *const head[] = {"", "looks", "seen", "an event",
+                                       "times [S16]'s"};
     char caption[400];
     snprintf(caption, sizeof caption, doubts_caption,
              brink_words_grouped(d->events).text);
     brink_report_table(r, caption, paper > 0 ? 5 : 4, "lrrrr", head);
     for (int k = 0; k < BRINK_DOUBTS; k++) {
         const brink_doubt *of = &d->of[k];
-        brink_report_cell(r, "%s", definitions[k]);
+        const int seen = of->wrong > 0;
+        brink_report_cell(r, "%c", 'A' + k);
         brink_report_cell(r, "%s", brink_words_grouped(of->looks).text);
         brink_report_cell(r, "%s", brink_words_grouped(of->wrong).text);
         brink_report_cell(r, "%s",
                           brink_words_frequency(of->wrong, d->events).text);
         if (!(paper > 0))
             continue;
-        const double seen = of->wrong > 0 ? (double)of->wrong : -log(0.05);
+        const double count = seen ? (double)of->wrong : -log(0.05);
         brink_report_cell(
-            r, "%s%s", of->wrong > 0 ? "× " : "< × ",
-            brink_words_scientific(seen / (paper * (double)d->events)).text);
+            r, "%s%s", seen ? "" : "< ",
+            brink_words_scientific(count / (paper * (double)d->events)).text);
     }
     brink_report_table_end(r);
 }
@@ -146,7 +169,7 @@ static char *draw(const brink_doubts *d, double paper)
     fputs("set logscale xy\nset xrange [1e-18:1]\nset yrange [1e-9:3]\n"
           "set format x '10^{%T}'\nset format y '10^{%T}'\n"
           "set xlabel 'tolerance / σ'\nset ylabel 'frequency an event' offset "
-          "1,0\nset lmargin 13\nset key outside below horizontal\n",
+          "1,0\nset lmargin 13\nset key center top\n",
           out);
     if (paper > 0)
         fprintf(
@@ -155,11 +178,11 @@ static char *draw(const brink_doubts *d, double paper)
             "dt 2\nset label 1 '[S16]' at graph 0.02, first %g offset 0,0.6\n",
             paper, paper, paper);
     fprintf(out,
-            "plot $of%d with lines lt 1 lw 2 title '(D) wrong by more', "
-            "$of%d with lines lt 2 lw 2 title '(G) wrong by more', "
-            "$of%d with lines lt 3 lw 2 title '(C) within', "
-            "$of%d with lines lt 4 lw 2 title '(A) within', "
-            "$of%d with lines lt 5 lw 2 title '(B) within'\n",
+            "plot $of%d with lines lt 1 lw 2 title 'D wrong by more', "
+            "$of%d with lines lt 2 lw 2 title 'G wrong by more', "
+            "$of%d with lines lt 3 lw 2 title 'C within', "
+            "$of%d with lines lt 4 lw 2 title 'A within', "
+            "$of%d with lines lt 5 lw 2 title 'B within'\n",
             BRINK_DOUBT_EXECUTED, BRINK_DOUBT_AFTER, BRINK_DOUBT_SYSTEM,
             BRINK_DOUBT_TESTED, BRINK_DOUBT_NEXT);
     return fclose(out) == 0 ? script : NULL;
@@ -173,8 +196,8 @@ static brink_words letters(const brink_doubts *d, enum brink_standing standing,
     for (int k = 0; k < BRINK_DOUBTS; k++)
         if (brink_standing_of(d->of[k].wrong, d->events, paper) == standing) {
             const size_t at = strlen(w.text);
-            snprintf(w.text + at, sizeof w.text - at, "%s(%c)",
-                     at > 0 ? ", " : "", 'A' + k);
+            snprintf(w.text + at, sizeof w.text - at, "%s%c", at > 0 ? ", " : "",
+                     'A' + k);
         }
     if (w.text[0] == '\0')
         strcpy(w.text, "none");
@@ -248,7 +271,8 @@ void brink_position_tell(brink_report *r, const brink_case *c)
         return;
     }
     brink_report_paragraph(r, counting);
-    tell_definitions(r, d, paper);
+    tell_definitions(r);
+    tell_counts(r, d, paper);
     brink_report_paragraph(r, overlaps, brink_words_grouped(d->overlaps).text,
                            brink_words_grouped(t->tally.core).text);
     if (paper > 0)
