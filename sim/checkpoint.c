@@ -71,17 +71,24 @@ static char *join(const char *dir, const char *name)
     return path;
 }
 
-static void remove_old(const char *dir)
+// All but the newest `kept`.
+static void remove_old(const char *dir, int kept)
 {
     char(*names)[NAME];
     const int count = list(dir, &names);
-    for (int k = 2; k < count; k++) {
+    for (int k = kept; k < count; k++) {
         char *path = join(dir, names[k]);
         if (path)
             unlink(path);
         free(path);
     }
     free(names);
+}
+
+void brink_checkpoint_clear(const char *dir)
+{
+    remove_old(dir, 0);
+    rmdir(dir);
 }
 
 static void sync_folder(const char *dir)
@@ -133,7 +140,7 @@ int brink_checkpoint_save(const char *dir, const brink_run *run,
         status = rename(fresh, path);
     if (status == 0) {
         sync_folder(dir);
-        remove_old(dir);
+        remove_old(dir, 2);
     } else {
         const int error = errno;
         fprintf(errors,

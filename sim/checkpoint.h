@@ -27,6 +27,9 @@ int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
 int brink_checkpoint_resume(const char *dir, brink_run *run, brink_plan *plan,
                             char *path, size_t path_size, FILE *errors);
 
+/** Removes DIR's checkpoints, and DIR if nothing else is in it. */
+void brink_checkpoint_clear(const char *dir);
+
 /** Number of checkpoints in DIR, 0 if it does not exist. */
 int brink_checkpoint_count(const char *dir);
 #endif

@@ -280,14 +280,12 @@ enum brink_run_status brink_conventional_advance(brink_conventional *c,
     return status;
 }
 
-int brink_conventional_create(brink_conventional *c, brink_system *system,
-                              const brink_rule *rule)
+int brink_conventional_assemble(brink_conventional *c, brink_run *run,
+                                const brink_rule *rule)
 {
-    const uint32_t count = system->count;
-    memset(c, 0, sizeof *c);
-    if (brink_run_create(&c->house, system, BRINK_TIER_PLAIN))
-        return -1;
-    c->rule = rule;
+    const uint32_t count = run->system.count;
+    *c = (brink_conventional){.house = *run, .rule = rule};
+    memset(run, 0, sizeof *run);
     c->seen = calloc(count, sizeof *c->seen);
     // Two slots a particle, unlike a run's: its first meeting and its crossing.
     brink_calendar *calendar = &c->house.calendar;
@@ -298,6 +296,19 @@ int brink_conventional_create(brink_conventional *c, brink_system *system,
         brink_conventional_destroy(c);
         return -1;
     }
+    calendar->epoch = c->house.system.epoch;
+    return 0;
+}
+
+int brink_conventional_create(brink_conventional *c, brink_system *system,
+                              const brink_rule *rule)
+{
+    const uint32_t count = system->count;
+    brink_run run;
+    memset(c, 0, sizeof *c);
+    if (brink_run_create(&run, system, BRINK_TIER_PLAIN) ||
+        brink_conventional_assemble(c, &run, rule))
+        return -1;
     for (uint32_t i = 0; i < count; i++)
         predict(c, i);
     return 0;

@@ -26,6 +26,11 @@ typedef struct brink_conventional {
  *  another, must outlive it.  0, -1 no memory. */
 int brink_conventional_create(brink_conventional *c, brink_system *system,
                               const brink_rule *rule);
+/** The same around a run, which is taken over, without levels told and events
+ * predicted: the caller fills seen, still and the calendar in, whose slot i waits
+ * for a pair event of particle i and slot count + i for its crossing. */
+int brink_conventional_assemble(brink_conventional *c, brink_run *run,
+                                const brink_rule *rule);
 void brink_conventional_destroy(brink_conventional *c);
 
 /** Goes on until `events` events in all, unless it stops before: AT_REST, STUCK,

@@ -40,18 +40,49 @@ int brink_level_by_position(const brink_potential *p, const double r[3])
     return seen < most ? seen : most;
 }
 
+// a t^2 + 2 b t + c is r.r - sigma^2 after the time t.
+typedef struct quadratic {
+    double a, b, c, arg;
+} quadratic;
+
+static quadratic quadratic_of(const double r[3], const double v[3], double sigma)
+{
+    const double a = dot(v, v), b = dot(r, v), c = dot(r, r) - sigma * sigma;
+    return (quadratic){a, b, c, b * b - a * c};
+}
+
+double brink_intersection_time_as_printed(const double r[3], const double v[3],
+                                          double sigma)
+{
+    const quadratic q = quadratic_of(r, v, sigma);
+    if (q.b >= 0 || q.arg <= 0)
+        return (double)INFINITY;
+    return fmax(0, q.c / (sqrt(q.arg) - q.b));
+}
+
+// The later root, in the one form or the other.
+static double disjoint_time(const quadratic *q, int by_quotient)
+{
+    if (q->a == 0)
+        return (double)INFINITY;
+    if (q->arg <= 0)
+        return fmax(0, -q->b / q->a);
+    return fmax(0, by_quotient ? -q->c / (sqrt(q->arg) + q->b)
+                               : (sqrt(q->arg) - q->b) / q->a);
+}
+
+double brink_disjoint_time_put_right(const double r[3], const double v[3],
+                                     double sigma)
+{
+    const quadratic q = quadratic_of(r, v, sigma);
+    return disjoint_time(&q, q.b > 0);
+}
+
 double brink_disjoint_time_as_printed(const double r[3], const double v[3],
                                       double sigma)
 {
-    const double a = dot(v, v), b = dot(r, v), c = dot(r, r) - sigma * sigma;
-    const double arg = b * b - a * c;
-    if (a == 0)
-        return (double)INFINITY;
-    if (arg <= 0)
-        return fmax(0, -b / a);
-    if (b > 0)
-        return fmax(0, (sqrt(arg) - b) / a);
-    return fmax(0, -c / (sqrt(arg) + b));
+    const quadratic q = quadratic_of(r, v, sigma);
+    return disjoint_time(&q, !(q.b > 0));
 }
 
 static int level_of_state(const brink_run *house, uint32_t i, uint32_t j,

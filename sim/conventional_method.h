@@ -75,6 +75,14 @@ double brink_largest_step(const brink_system *system);
 /** The level that position shows, no pair being ever inside a hard core. */
 int brink_level_by_position(const brink_potential *p, const double r[3]);
 
+/** [S16] algorithm 1 as printed, in plain doubles. */
+double brink_intersection_time_as_printed(const double r[3], const double v[3],
+                                          double sigma);
+
+/** [S16] algorithm 2, in plain doubles, its branches put right. */
+double brink_disjoint_time_put_right(const double r[3], const double v[3],
+                                     double sigma);
+
 /** [S16] algorithm 2 as printed: each of its two branches has the form that
  * cancels there, and the clamp at zero takes the NaN of -0/0 for "now". */
 double brink_disjoint_time_as_printed(const double r[3], const double v[3],

@@ -3,6 +3,7 @@
 #include "session.h"
 #include "start.h"
 #include "study_findings.h"
+#include "study_jobs.h"
 #include "study_question.h"
 #include "study_words.h"
 #include <errno.h>
@@ -10,158 +11,37 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-typedef struct result { // what a worker hands back
-    brink_trial trial;
-    double nudge_off[BRINK_NUDGES];
-} result;
 
 typedef struct study {
     const char *out;
     int count; // of scenes
     brink_case *cases;
-    // one a case; every worker has a copy of its own of each
-    brink_system *starts;
-    FILE *results; // a result a job, in the order of jobs
+    brink_system *starts; // one a case
 } study;
 
-// Trial `job` is of this case and method: the scenes take turns, and the ways in
-// the order in which the methods are numbered.
-static brink_case *case_of(const study *s, int job)
-{
-    return &s->cases[job % s->count];
-}
+// The logical states of all scenes first, then what fails soon, then what may go
+// on for as long as they do.
+static const enum brink_method turns[BRINK_METHODS] = {
+    BRINK_METHOD_LOGICAL, BRINK_METHOD_POSITION,    BRINK_METHOD_STORED,
+    BRINK_METHOD_PRINTED, BRINK_METHOD_NUDGED_TIME, BRINK_METHOD_NUDGED_PLACE};
 
-static enum brink_method method_of(const study *s, int job)
-{
-    return (enum brink_method)(job / s->count);
-}
-
-static FILE *open_samples(const study *s, const brink_case *c,
-                          enum brink_method method)
-{
-    char name[200], path[4200];
-    brink_findings_file(c, method, name, sizeof name);
-    const int length = snprintf(path, sizeof path, "%s/%s", s->out, name);
-    FILE *samples = length < (int)sizeof path ? fopen(path, "w") : NULL;
-    if (samples == NULL) {
-        fprintf(stderr, "brink study: cannot write %s: %s\n", path,
-                strerror(errno));
-        return NULL;
-    }
-    fprintf(samples,
-            "# brink " BRINK_VERSION ", stability study: %s, seed %" PRIu64
-            ", %s\n"
-            "# energies as the positions show them; the error is relative to the "
-            "start\n"
-            "# events\ttime\terror\tenergy\n",
-            c->name, c->scene.seed, brink_method_rule(method)->name);
-    fflush(samples); // before a worker inherits it
-    return samples;
-}
-
-// In the worker: what other nudges would have done, each from the same start.
-static int try_nudges(const brink_case *c, enum brink_method method,
-                      double off[BRINK_NUDGES])
-{
-    for (int k = 0; k < BRINK_NUDGES; k++) {
-        brink_system start;
-        if (brink_start_make(&c->scene, c->path, &start, stderr) != 0)
-            return -1;
-        off[k] =
-            brink_nudge_try(&start, method, brink_nudge_size(k), c->nudge_events);
-    }
-    return 0;
-}
-
-// In the worker: 0 if the trial came to an end, of whatever kind, and is on file.
-static int work(const study *s, int job, FILE *samples)
-{
-    const brink_case *c = case_of(s, job);
-    const enum brink_method method = method_of(s, job);
-    result done = {0};
-    brink_trial_run(&s->starts[job % s->count], method, c->events, samples,
-                    &done.trial);
-    if (fclose(samples) != 0 || (brink_nudge_is_used(method) &&
-                                 try_nudges(c, method, done.nudge_off) != 0))
-        return -1;
-    const ssize_t size = (ssize_t)sizeof done;
-    return pwrite(fileno(s->results), &done, sizeof done, (off_t)(job * size)) !=
-           size;
-}
-
-static pid_t start_worker(const study *s, int job)
-{
-    FILE *samples = open_samples(s, case_of(s, job), method_of(s, job));
-    if (samples == NULL)
-        return -1;
-    const pid_t worker = fork();
-    if (worker == 0)
-        _exit(work(s, job, samples));
-    fclose(samples);
-    return worker;
-}
-
-// A worker that handed nothing back has crashed.
-static void take_result(const study *s, int job, int handed_back)
-{
-    brink_case *c = case_of(s, job);
-    const enum brink_method method = method_of(s, job);
-    result done;
-    const ssize_t size = (ssize_t)sizeof done;
-    if (!handed_back || pread(fileno(s->results), &done, sizeof done,
-                              (off_t)(job * size)) != size)
-        done = (result){.trial = {.method = method, .particles = c->scene.count}};
-    c->trial[method] = done.trial;
-    memcpy(c->nudge_off[method], done.nudge_off, sizeof done.nudge_off);
-    fprintf(stderr, "brink study: %s, %s: %s\n", c->name,
-            brink_method_rule(method)->name,
-            brink_findings_outcome(&done.trial).text);
-}
-
-static int find(const pid_t *worker, int started, pid_t who)
-{
-    int job = 0;
-    while (job < started && worker[job] != who)
-        job++;
-    return job;
-}
-
-// Every trial in a process of its own, no more of them at a time than cores.
 static int run_trials(const study *s)
 {
-    const int jobs = s->count * BRINK_METHODS;
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    pid_t *worker = calloc((size_t)jobs, sizeof *worker);
-    int started = 0, running = 0;
-    if (worker == NULL)
-        return -1;
-    while (started < jobs || running > 0) {
-        if (started < jobs && running < (cores > 1 ? cores : 1)) {
-            worker[started] = start_worker(s, started);
-            if (worker[started] > 0)
-                running++;
-            else
-                take_result(s, started, 0);
-            started++;
-            continue;
-        }
-        int status;
-        const pid_t who = waitpid(-1, &status, 0);
-        const int job = find(worker, started, who);
-        if (who > 0 && job < started) {
-            if (WIFSIGNALED(status))
-                fprintf(stderr,
-                        "brink study: a worker was ended by signal %d (%s)\n",
-                        WTERMSIG(status), strsignal(WTERMSIG(status)));
-            take_result(s, job, status == 0);
-            running--;
-        }
-    }
-    free(worker);
-    return 0;
+    const int count = s->count * BRINK_METHODS;
+    brink_job *jobs = calloc((size_t)count, sizeof *jobs);
+    if (jobs == NULL)
+        return BRINK_EXIT_WRONG;
+    for (int k = 0; k < count; k++)
+        jobs[k] = (brink_job){.out = s->out,
+                              .of = &s->cases[k % s->count],
+                              .start = &s->starts[k % s->count],
+                              .method = turns[k / s->count]};
+    const int code = brink_jobs_run(jobs, count);
+    if (code == BRINK_EXIT_STOPPED)
+        fputs("brink study: stopped early; the same command goes on\n", stderr);
+    free(jobs);
+    return code;
 }
 
 // A word is a scene that comes with the program: in the source tree, or
@@ -221,9 +101,9 @@ static void write_origin(brink_report *r, const study *s)
         at += (size_t)snprintf(command + at, sizeof command - at, "%s%s",
                                k > 0 ? " " : "", s->cases[k].path);
     brink_report_heading(r, 2, "How this page was made");
-    brink_report_verbatim(r,
-                          "brink study %s --out %s\n\nbrink %s, compiled by %s",
-                          command, s->out, BRINK_VERSION, BRINK_COMPILER);
+    brink_report_verbatim(
+        r, "brink study %s --out %s\n\nbrink %s, compiled by %s", command, s->out,
+        BRINK_VERSION BRINK_COMMIT, BRINK_COMPILER);
     for (int k = 0; k < s->count; k++)
         brink_report_paragraph(
             r, "%s: seed %" PRIu64 ", %" PRIu64 " events asked for.",
@@ -279,8 +159,9 @@ static int run_study(study *s)
                 strerror(errno));
         return BRINK_EXIT_USAGE;
     }
-    if (run_trials(s) != 0)
-        return BRINK_EXIT_WRONG;
+    const int code = run_trials(s);
+    if (code != BRINK_EXIT_DONE)
+        return code;
     if (write_page(s) != 0)
         return BRINK_EXIT_USAGE;
     printf("%s/index.html\n", s->out);
@@ -290,11 +171,11 @@ static int run_study(study *s)
 int brink_study(const char *out, int count, const char *const scenes[])
 {
     static const char *const usual[] = {"square-well", "square-shoulder"};
-    study s = {.out = out, .count = count > 0 ? count : 2, .results = tmpfile()};
+    study s = {.out = out, .count = count > 0 ? count : 2};
     s.cases = calloc((size_t)s.count, sizeof *s.cases);
     s.starts = calloc((size_t)s.count, sizeof *s.starts);
     int code = BRINK_EXIT_WRONG;
-    if (s.cases != NULL && s.starts != NULL && s.results != NULL) {
+    if (s.cases != NULL && s.starts != NULL) {
         for (int k = 0; k < s.count; k++)
             s.cases[k].path = count > 0 ? scenes[k] : usual[k];
         code = run_study(&s);
@@ -303,12 +184,9 @@ int brink_study(const char *out, int count, const char *const scenes[])
             brink_system_destroy(&s.starts[k]);
         }
     } else {
-        fprintf(stderr,
-                "brink study: no memory, or no room for a temporary file\n");
+        fputs("brink study: memory is out\n", stderr);
     }
     free(s.cases);
     free(s.starts);
-    if (s.results != NULL)
-        fclose(s.results);
     return code;
 }

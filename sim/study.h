@@ -7,8 +7,10 @@
  * a page that shows what became of their energy.
  *
  * A trial runs in a process of its own, as many at a time as the machine has
- * cores, and writes its samples to OUT/SCENE-METHOD.dat; a trial that crashes is
- * reported as such.
+ * cores, and leaves its samples and figures in OUT; a trial that crashes is
+ * reported as such.  A study that was stopped or killed goes on where it was when
+ * it is run again; what was done is not done again, unless the scene or the
+ * program has changed.
  */
 
 /**
@@ -18,7 +20,8 @@
  *
  * Returns   the exit code: 0 done, the page's path on standard output; 2 a scene
  * is not good or the page cannot be written; 3 a trial crashed, or the logical
- * states did not come to their end (the page says how).
+ * states did not come to their end (the page says how); 75 stopped by SIGTERM or
+ * SIGINT: run again, the study goes on.
  */
 int brink_study(const char *out, int count, const char *const scenes[]);
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study_findings.h"
+#include "study_growth.h"
 #include "study_plot.h"
+#include "study_position.h"
 #include "study_words.h"
 #include <inttypes.h>
 #include <math.h>
@@ -8,10 +10,10 @@
 #include <string.h>
 
 void brink_findings_file(const brink_case *c, enum brink_method method,
-                         char *name, size_t size)
+                         const char *ending, char *name, size_t size)
 {
-    snprintf(name, size, "%s-%s.dat", c->name,
-             brink_words_slug(brink_method_rule(method)->name).text);
+    snprintf(name, size, "%s-%s%s", c->name,
+             brink_words_slug(brink_method_rule(method)->name).text, ending);
 }
 
 static const char figure_caption[] =
@@ -25,8 +27,9 @@ static const char figure_caption[] =
 
 static const char outcomes_caption[] =
     "What became of each. The error is relative to the energy at the start. "
-    "Times are of this machine: the logical states' while being watched, the "
-    "others' in a plain loop.";
+    "Events are counted by the second of the processor, without looks at the "
+    "energy: the logical states' while they are being watched, the others' in a "
+    "plain loop. What it took is on the wall, everything in it.";
 
 static const char nudging[] =
     "The two nudged ways hang on a constant. With others, from the same start "
@@ -42,27 +45,6 @@ static const char events_caption[] =
     "the cells that the program sorts particles into; events due at once when "
     "they were predicted; and those of the same pair at the same instant as "
     "the event before.";
-
-static const char doubts_caption[] =
-    "Inconsistencies between position and logical state, with counting errors "
-    "(none seen: bound at 95 % confidence).";
-
-static const char counting[] =
-    "In the run with logical states one can look at what the positions would "
-    "have said, and count how often that is wrong.";
-
-static const char comparison[] =
-    "[S16] gives %s an event for this potential, with 32 000 particles and "
-    "3.2 × 10⁸ events, and does not say what was counted. (A) is %s times and "
-    "(B) %s times as frequent as that%s";
-
-static const char later_unseen[] =
-    "; (C), which was not seen at all, agrees with it, but a run of this size "
-    "is too short to tell something so rare from what never happens.";
-
-static const char later_agrees[] = "; (C) agrees with it within counting errors.";
-
-static const char later_differs[] = "; nor does (C) agree with it.";
 
 brink_words brink_findings_outcome(const brink_trial *t)
 {
@@ -189,12 +171,18 @@ static void tell_system(brink_report *r, const brink_scene *s)
     free(text);
 }
 
+static uint64_t events_per_second(const brink_trial *t)
+{
+    return t->seconds > 0 ? (uint64_t)((double)t->events / t->seconds) : 0;
+}
+
 static void tell_outcomes(brink_report *r, const brink_case *c)
 {
     static const char *const head[] = {"way", "what became of it",
-                                       "energy error at the end", "µs an event"};
+                                       "energy error at the end", "events/s",
+                                       "took"};
     static const char *const kinds[] = {"core", "capture", "release", "bounce"};
-    brink_report_table(r, outcomes_caption, 4, "llrr", head);
+    brink_report_table(r, outcomes_caption, 5, "llrrr", head);
     for (int k = 0; k < BRINK_METHODS; k++) {
         const brink_trial *t = &c->trial[k];
         const brink_words outcome = brink_findings_outcome(t);
@@ -206,8 +194,9 @@ static void tell_outcomes(brink_report *r, const brink_case *c)
                 r, "%s; the last a %s of particles %" PRIu32 " and %" PRIu32,
                 outcome.text, kinds[t->last.kind], t->last.i, t->last.j);
         brink_report_cell(r, "%s", brink_words_scientific(t->energy_error).text);
-        brink_report_cell(r, t->events > 0 ? "%.1f" : "–",
-                          t->seconds / (double)t->events * 1e6);
+        brink_report_cell(r, "%s",
+                          brink_words_grouped(events_per_second(t)).text);
+        brink_report_cell(r, "%s", brink_words_duration(t->wall).text);
     }
     brink_report_table_end(r);
 }
@@ -251,74 +240,6 @@ static void tell_nudges(brink_report *r, const brink_case *c)
     brink_report_table_end(r);
 }
 
-// What [S16] section 5 found an event, for a square well or a shoulder; else 0.
-static double paper_says(const brink_scene *s)
-{
-    const brink_potential *p = &s->potential[0];
-    if (s->species_count != 1 || p->count != 2 || !isinf(p->energy[1]))
-        return 0;
-    return p->energy[0] < 0 ? 1.4e-7 : 2.6e-7;
-}
-
-static void tell_doubt(brink_report *r, const char *what, uint64_t count,
-                       uint64_t of, double paper)
-{
-    brink_report_cell(r, "%s", what);
-    brink_report_cell(r, "%s", brink_words_grouped(count).text);
-    brink_report_cell(r, "%s", brink_words_grouped(of).text);
-    brink_report_cell(r, "%s", brink_words_frequency(count, of).text);
-    if (paper > 0)
-        brink_report_cell(r, "%s",
-                          brink_words_scientific(paper * (double)of).text);
-    else
-        brink_report_cell(r, "–");
-}
-
-static void tell_doubts(brink_report *r, const brink_case *c)
-{
-    static const char *const head[] = {"position shows another state", "seen",
-                                       "looks", "frequency",
-                                       "[S16] would expect"};
-    const brink_trial *t = &c->trial[BRINK_METHOD_LOGICAL];
-    const brink_doubts *d = &t->doubts;
-    const double paper = paper_says(&c->scene);
-    brink_report_paragraph(r, counting);
-    brink_report_table(r, doubts_caption, 5, "lrrrr", head);
-    tell_doubt(r, "(A) when an event is executed, just before it", d->before,
-               d->events, paper);
-    tell_doubt(r, "(B) right after it, where the pair is looked at again",
-               d->after, d->events, paper);
-    tell_doubt(
-        r, "(C) the pair looked at again at the next event of either particle",
-        d->later, d->looks_later, paper);
-    tell_doubt(r, "hard cores that overlap by a rounding when they collide",
-               d->overlaps, t->tally.core, 0);
-    brink_report_table_end(r);
-}
-
-// Whether a count agrees with what was expected: within three counting errors.
-static int agrees(uint64_t count, double expected)
-{
-    return fabs((double)count - expected) <= 3 * sqrt(fmax(expected, 1));
-}
-
-static void tell_paper(brink_report *r, const brink_case *c)
-{
-    const brink_doubts *d = &c->trial[BRINK_METHOD_LOGICAL].doubts;
-    const double paper = paper_says(&c->scene);
-    const double events = paper * (double)d->events;
-    const double looks = paper * (double)d->looks_later;
-    if (events == 0)
-        return;
-    const char *later = d->later == 0 && looks < 3 ? later_unseen
-                        : agrees(d->later, looks)  ? later_agrees
-                                                   : later_differs;
-    brink_report_paragraph(
-        r, comparison, brink_words_scientific(paper).text,
-        brink_words_scientific((double)d->before / events).text,
-        brink_words_scientific((double)d->after / events).text, later);
-}
-
 void brink_findings_tell(brink_report *r, const brink_case *c)
 {
     char name[80];
@@ -333,12 +254,11 @@ void brink_findings_tell(brink_report *r, const brink_case *c)
         brink_report_figure(r, name, figure_caption, script);
     free(script);
     tell_outcomes(r, c);
+    brink_growth_tell(r, c);
     brink_report_heading(r, 3, "How much to nudge");
     brink_report_paragraph(r, nudging);
     tell_nudges(r, c);
-    brink_report_heading(r, 3, "How often position is wrong");
-    tell_doubts(r, c);
-    tell_paper(r, c);
+    brink_position_tell(r, c);
     brink_report_heading(r, 3, "What happened");
     tell_events(r, c);
 }

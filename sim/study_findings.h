@@ -33,7 +33,7 @@ char *brink_findings_sentences(const brink_case *c);
 /** What became of a trial, as a verb phrase: "stood still after 1 006 events". */
 brink_words brink_findings_outcome(const brink_trial *t);
 
-/** The file with a trial's samples, beside the page. */
+/** A file of a trial, beside the page: ".dat" its samples. */
 void brink_findings_file(const brink_case *c, enum brink_method method,
-                         char *name, size_t size);
+                         const char *ending, char *name, size_t size);
 #endif

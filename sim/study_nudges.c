@@ -16,21 +16,38 @@ double brink_nudge_size(int k)
     return size[k];
 }
 
-double brink_nudge_try(brink_system *start, enum brink_method method,
-                       double nudge, uint64_t events)
+// How far off the energy is after so many events; -1 if there was a stop before.
+static double go_through(brink_conventional *c, uint64_t events, double epsilon,
+                         const brink_watch *watch)
+{
+    const double begin = brink_energy_by_position(&c->house);
+    enum brink_run_status status = BRINK_RUN_REACHED;
+    for (uint64_t done = 0; done < events && status == BRINK_RUN_REACHED;) {
+        const uint64_t left = events - done;
+        done += left < BRINK_WATCH_EVENTS ? left : BRINK_WATCH_EVENTS;
+        status = brink_conventional_advance(c, done);
+        if (brink_watch_stopped(watch))
+            return -1;
+    }
+    if (status == BRINK_RUN_NO_MEMORY)
+        return (double)NAN;
+    if (status == BRINK_RUN_STUCK)
+        return (double)INFINITY;
+    return fabs(brink_energy_by_position(&c->house) - begin) / epsilon;
+}
+
+int brink_nudge_try(brink_system *start, enum brink_method method, double nudge,
+                    uint64_t events, const brink_watch *watch, double *off)
 {
     const double epsilon = brink_largest_step(start);
     brink_rule rule = *brink_method_rule(method);
     rule.time_nudge = rule.time_nudge > 0 ? nudge : 0;
     rule.place_nudge = rule.place_nudge > 0 ? nudge : 0;
     brink_conventional c;
+    *off = (double)NAN;
     if (brink_conventional_create(&c, start, &rule))
-        return (double)NAN;
-    const double begin = brink_energy_by_position(&c.house);
-    const enum brink_run_status status = brink_conventional_advance(&c, events);
-    const double off = fabs(brink_energy_by_position(&c.house) - begin) / epsilon;
+        return 0;
+    *off = go_through(&c, events, epsilon, watch);
     brink_conventional_destroy(&c);
-    if (status == BRINK_RUN_NO_MEMORY)
-        return (double)NAN;
-    return status == BRINK_RUN_STUCK ? (double)INFINITY : off;
+    return *off < 0 ? -1 : 0;
 }

@@ -6,6 +6,7 @@
  * nudges from far too small to far too large.
  */
 #include "conventional_method.h"
+#include "study_watch.h"
 
 #define BRINK_NUDGES 8
 
@@ -19,11 +20,12 @@ double brink_nudge_size(int k);
  * Runs a start, which is taken over, for so many events by a method with another
  * nudge.
  *
- * Returns   how far the energy is off at the end, in parts of the largest finite
- *           step: where all steps are equal a whole number, to within rounding,
- *           one for each state told wrongly and not made good by another;
- *           +inf if time stood still before; NaN if memory was out
+ * Returns   0 and in *off how far the energy is off at the end, in parts of the
+ *           largest finite step: where all steps are equal a whole number, to
+ *           within rounding, one for each state told wrongly and not made good by
+ *           another; +inf if time stood still before; NaN if memory was out.
+ *           -1 if the watch was told to stop
  */
-double brink_nudge_try(brink_system *start, enum brink_method method,
-                       double nudge, uint64_t events);
+int brink_nudge_try(brink_system *start, enum brink_method method, double nudge,
+                    uint64_t events, const brink_watch *watch, double *off);
 #endif

@@ -127,7 +127,7 @@ static void write_curve(FILE *out, const brink_case *c, const curve *of)
     char file[200];
     const int line = (int)of->trial->method + 1;
     const double width = 1.4 + 0.8 * line;
-    brink_findings_file(c, of->trial->method, file, sizeof file);
+    brink_findings_file(c, of->trial->method, ".dat", file, sizeof file);
     fprintf(out, ", \\\n    '%s' using 1:($3 > 0 ? $3 : NaN) with linespoints ",
             file);
     fprintf(out, "lt %d lw %.1f pt 7 ps %.2f, ", line, width, width / 9);

@@ -43,18 +43,44 @@ brink_words brink_words_scientific(double x)
     return w;
 }
 
+// (1.4 ± 0.2) × 10⁻⁷
+static brink_words rare(double frequency, double error)
+{
+    const int power = (int)floor(log10(frequency));
+    const double unit = pow(10, power);
+    brink_words w, scale = brink_words_scientific(unit);
+    const char *times = strstr(scale.text, "\u00a0×");
+    snprintf(w.text, sizeof w.text, "(%.2f ± %.2f)%s", frequency / unit,
+             error / unit, times != NULL ? times : "");
+    return w;
+}
+
 brink_words brink_words_frequency(uint64_t count, uint64_t of)
 {
     brink_words w;
-    const double n = (double)of;
+    const double n = (double)of, frequency = (double)count / n;
+    if (of > 0 && count > 0 && frequency < 1e-3)
+        return rare(frequency, sqrt((double)count) / n);
     if (of == 0)
         snprintf(w.text, sizeof w.text, "–");
     else if (count == 0)
         snprintf(w.text, sizeof w.text, "< %.40s",
                  brink_words_scientific(-log(0.05) / n).text);
     else
-        snprintf(w.text, sizeof w.text, "%.4f ± %.4f", (double)count / n,
+        snprintf(w.text, sizeof w.text, "%.4f ± %.4f", frequency,
                  sqrt((double)count) / n);
+    return w;
+}
+
+brink_words brink_words_duration(double seconds)
+{
+    brink_words w;
+    if (seconds < 120)
+        snprintf(w.text, sizeof w.text, "%.1f\u00a0s", seconds);
+    else if (seconds < 7200)
+        snprintf(w.text, sizeof w.text, "%.1f\u00a0min", seconds / 60);
+    else
+        snprintf(w.text, sizeof w.text, "%.1f\u00a0h", seconds / 3600);
     return w;
 }
 

@@ -21,6 +21,9 @@ brink_words brink_words_scientific(double x);
  * below which it is with 95 % confidence, -ln 0.05 / of. */
 brink_words brink_words_frequency(uint64_t count, uint64_t of);
 
+/** Seconds as 12.3 s, 4.5 min or 6.7 h. */
+brink_words brink_words_duration(double seconds);
+
 /** As a file is called: other characters than letters and digits become '-'; of a
  * long text the beginning. */
 brink_words brink_words_slug(const char *text);

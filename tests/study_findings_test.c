@@ -123,7 +123,7 @@ START_TEST(files_are_named_after_scene_and_method)
 {
     const brink_case c = perfect();
     char name[100];
-    brink_findings_file(&c, BRINK_METHOD_PRINTED, name, sizeof name);
+    brink_findings_file(&c, BRINK_METHOD_PRINTED, ".dat", name, sizeof name);
     ck_assert_str_eq(name, "a-algorithm-2-as-printed.dat");
 }
 END_TEST

@@ -8,8 +8,14 @@ static double off(const char *scene, enum brink_method method, double nudge,
                   uint64_t events)
 {
     brink_system start;
+    brink_watch watch;
+    double steps;
+    brink_watch_begin(&watch);
     make_system(&start, scene);
-    return brink_nudge_try(&start, method, nudge, events);
+    ck_assert_int_eq(
+        brink_nudge_try(&start, method, nudge, events, &watch, &steps), 0);
+    brink_watch_end(&watch);
+    return steps;
 }
 
 START_TEST(two_methods_nudge)
@@ -72,6 +78,22 @@ START_TEST(energy_is_off_by_whole_steps)
 }
 END_TEST
 
+START_TEST(a_stop_is_heard)
+{
+    brink_system start;
+    brink_watch watch;
+    double steps;
+    brink_watch_begin(&watch);
+    ck_assert_int_eq(raise(SIGTERM), 0);
+    make_system(&start, square_well);
+    ck_assert_int_eq(brink_nudge_try(&start, BRINK_METHOD_NUDGED_TIME, 1e-11,
+                                     UINT64_MAX, &watch, &steps),
+                     -1);
+    ck_assert_int_eq(brink_watch_stopped(&watch), 0); // taken
+    brink_watch_end(&watch);
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("nudges", 300, two_methods_nudge,
@@ -80,5 +102,5 @@ int main(void)
                      a_nudge_that_is_used_keeps_the_energy,
                      a_nudge_as_long_as_a_step_loses_events,
                      time_that_stands_still_is_infinitely_far_off,
-                     energy_is_off_by_whole_steps);
+                     energy_is_off_by_whole_steps, a_stop_is_heard);
 }

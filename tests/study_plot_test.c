@@ -25,7 +25,7 @@ static char *draw(const brink_case *c, const char *data)
     const char *folder = new_folder();
     char name[100], trouble[600] = "";
     for (int k = 0; k < BRINK_METHODS; k++) {
-        brink_findings_file(c, (enum brink_method)k, name, sizeof name);
+        brink_findings_file(c, (enum brink_method)k, ".dat", name, sizeof name);
         write_file(folder, name, data);
     }
     char *script = brink_energy_plot(c);

@@ -52,6 +52,8 @@ START_TEST(a_frequency_has_its_counting_error_or_a_bound)
     ck_assert_str_eq(brink_words_frequency(0, 1000).text,
                      "< 3.0\u00a0×\u00a010⁻³");
     ck_assert_str_eq(brink_words_frequency(0, 0).text, "–");
+    ck_assert_str_eq(brink_words_frequency(45, 320000000).text,
+                     "(1.41 ± 0.21)\u00a0×\u00a010⁻⁷");
 }
 END_TEST
 
