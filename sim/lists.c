@@ -5,8 +5,8 @@
 
 #define NO_BLOCK UINT32_MAX
 
-// Sizes of blocks: 4, 5, 6, 7, then 8, 10, 12, 14 and so on, four to an octave, so
-// that a quarter of a block at most is room.
+// Sizes of blocks: 4, 5, 6, 7, then 8, 10, 12, 14 and so on, four to an octave,
+// so that a quarter of a block at most is room.
 static uint32_t room_of(int size)
 {
     return (UINT32_C(4) + (uint32_t)size % 4) << (size / 4);
