@@ -147,7 +147,8 @@ int brink_states_set(brink_states *s, const brink_system *system, uint32_t i,
     if (level == before)
         return 0;
     const uint32_t ci = s->circle[i].count, cj = s->circle[j].count;
-    if (before == 0 && make_room(s, (ci > cj ? ci : cj) + 1))
+    // Who gets a partner may need a larger block, who loses one a smaller.
+    if ((before == 0 || level == 0) && make_room(s, (ci > cj ? ci : cj) + 1))
         return -1;
     write_half(s, i, j, level);
     write_half(s, j, i, level);
