@@ -121,5 +121,5 @@ int same_state(const brink_run *a, const brink_run *b)
                   n * sizeof *a->calendar.entry) == 0 &&
            memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&
            brink_instant_compare(a->now, b->now) == 0 && a->idle == b->idle &&
-           same_levels(a, b);
+           a->owed == b->owed && same_levels(a, b);
 }
