@@ -57,7 +57,7 @@ static void go_round(int ulps, double tangential, double radial)
     // rounding puts a bounce an eps further in or out, it is shorter or longer,
     // on the whole by less than half.
     ck_assert_msg(t->bounce == EVENTS && t->zero_time <= 1 && t->repeated <= 1 &&
-                      brink_run_time(&run) > EVENTS / 2 * chord,
+                      brink_run_time(&run) > 0.5 * EVENTS * chord,
                   "v_t %a, v_r %a v_t, %d ulp: %lu bounces, %lu at one instant, "
                   "time %a",
                   tangential, radial, ulps, (unsigned long)t->bounce,
