@@ -16,17 +16,19 @@ int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
     c->days = 1;
     while (c->days < days && c->days < UINT32_C(1) << 30)
         c->days *= 2;
-    c->day = year / c->days; // powers of two: exact
+    c->days_a_time = c->days / year; // powers of two: exact
     c->entry = malloc(slots * sizeof *c->entry);
-    c->filed = malloc(slots * sizeof *c->filed);
+    c->filed = malloc((slots + 1) * sizeof *c->filed);
     c->heap = malloc(slots * sizeof *c->heap);
     c->first = malloc((c->days + 1) * sizeof *c->first);
     if (!c->entry || !c->filed || !c->heap || !c->first) {
         brink_calendar_destroy(c);
         return -1;
     }
-    memset(c->filed, 0xff, slots * sizeof *c->filed);
-    memset(c->first, 0xff, (c->days + 1) * sizeof *c->first);
+    for (uint32_t slot = 0; slot <= slots; slot++)
+        c->filed[slot] = (brink_filed){NONE, slots, slots};
+    for (uint32_t day = 0; day <= c->days; day++)
+        c->first[day] = slots;
     for (uint32_t slot = 0; slot < slots; slot++)
         c->entry[slot] = (brink_entry){.when = BRINK_NEVER};
     return 0;
@@ -93,11 +95,16 @@ static void list_add(brink_calendar *c, uint32_t list, uint32_t slot)
 {
     const uint32_t head = c->first[list];
     c->filed[slot].next = head;
-    c->filed[slot].previous = NONE;
-    if (head != NONE)
-        c->filed[head].previous = slot;
+    c->filed[slot].previous = c->slots;
+    c->filed[head].previous = slot;
     c->first[list] = slot;
     c->filed[slot].place = IN_LIST + list;
+}
+
+// Powers of two: the product is exact, and below `days` because offset < year.
+static uint32_t day_of(const brink_calendar *c, double offset)
+{
+    return (uint32_t)(offset * c->days_a_time);
 }
 
 // Files a slot that is nowhere under the time of its entry.
@@ -110,9 +117,7 @@ static void file_under(brink_calendar *c, uint32_t slot)
         list_add(c, c->days, slot);
         return;
     }
-    // Powers of two: the quotient is exact, and below `days` because offset <
-    // year.
-    const uint32_t day = (uint32_t)(when.offset / c->day);
+    const uint32_t day = day_of(c, when.offset);
     if (when.epoch == c->epoch && day > c->today)
         list_add(c, day, slot);
     else
@@ -131,12 +136,9 @@ static void take_out(brink_calendar *c, uint32_t slot)
     } else {
         const uint32_t before = c->filed[slot].previous,
                        after = c->filed[slot].next;
-        if (before != NONE)
-            c->filed[before].next = after;
-        else
-            c->first[place - IN_LIST] = after;
-        if (after != NONE)
-            c->filed[after].previous = before;
+        *(before == c->slots ? &c->first[place - IN_LIST]
+                             : &c->filed[before].next) = after;
+        c->filed[after].previous = before;
     }
     c->filed[slot].place = NONE;
 }
@@ -153,8 +155,8 @@ void brink_calendar_set(brink_calendar *c, uint32_t slot,
 static void refile(brink_calendar *c, uint32_t list)
 {
     uint32_t slot = c->first[list];
-    c->first[list] = NONE;
-    while (slot != NONE) {
+    c->first[list] = c->slots;
+    while (slot != c->slots) {
         const uint32_t next = c->filed[slot].next;
         c->filed[slot].place = NONE;
         file_under(c, slot);
@@ -166,7 +168,7 @@ static void refile(brink_calendar *c, uint32_t list)
 static int turn_year(brink_calendar *c)
 {
     int64_t epoch = INT64_MAX;
-    for (uint32_t slot = c->first[c->days]; slot != NONE;
+    for (uint32_t slot = c->first[c->days]; slot != c->slots;
          slot = c->filed[slot].next)
         if (c->entry[slot].when.epoch < epoch)
             epoch = c->entry[slot].when.epoch;
@@ -178,22 +180,11 @@ static int turn_year(brink_calendar *c)
     return 1;
 }
 
-// Asks memory for the head of a list, which is soon to be gone through.
-static void fetch(const brink_calendar *c, uint32_t list)
-{
-    const uint32_t slot = c->first[list];
-    if (slot != NONE) {
-        __builtin_prefetch(&c->entry[slot]);
-        __builtin_prefetch(&c->filed[slot]);
-    }
-}
-
 uint32_t brink_calendar_next(brink_calendar *c)
 {
     while (c->heap_count == 0) {
         if (c->today + 1 < c->days) {
             refile(c, ++c->today);
-            fetch(c, c->today + 1);
         } else if (!turn_year(c))
             return c->slots;
     }
@@ -215,8 +206,8 @@ const char *brink_calendar_is_valid(const brink_calendar *c)
 {
     uint32_t filed = c->heap_count;
     for (uint32_t list = 0; list <= c->days; list++) {
-        uint32_t before = NONE;
-        for (uint32_t s = c->first[list]; s != NONE;
+        uint32_t before = c->slots;
+        for (uint32_t s = c->first[list]; s != c->slots;
              before = s, s = c->filed[s].next) {
             if (s >= c->slots || c->filed[s].place != IN_LIST + list ||
                 c->filed[s].previous != before)
@@ -224,7 +215,7 @@ const char *brink_calendar_is_valid(const brink_calendar *c)
             const brink_instant when = c->entry[s].when;
             if (list == c->days ? when.epoch <= c->epoch
                                 : when.epoch != c->epoch || list <= c->today ||
-                                      (uint32_t)(when.offset / c->day) != list)
+                                      day_of(c, when.offset) != list)
                 return "a slot is in the list of another day";
             if (++filed > c->slots)
                 return "a list runs in a circle";

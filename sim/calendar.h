@@ -17,32 +17,33 @@
 enum brink_entry_kind { // what a slot waits for; the order of simultaneous events
     BRINK_ENTRY_INWARD = 0,
     BRINK_ENTRY_OUTWARD = 1,
-    BRINK_ENTRY_CELL = 2
+    BRINK_ENTRY_CELL = 2 // a crossing, or a departure from home
 };
 
 typedef struct brink_entry {
     brink_instant when; // BRINK_NEVER: none
-    uint32_t i, j; // pair: i < j; cell: the particle, and axis * 2 + (way > 0)
+    // pair: i < j; cell: the particle, and of a crossing axis * 2 + (way > 0)
+    uint32_t i, j;
     uint32_t generation; // pair: the partner's, as the prediction knew it
     uint16_t kind;       // enum brink_entry_kind
     uint16_t at_once;    // 1: was due when it was predicted; no part of the order
 } brink_entry;
 
-struct brink_filed {         // where a slot is
+typedef struct brink_filed { // where a slot is
     uint32_t place;          // its heap position, or in which list
-    uint32_t next, previous; // in that list
-};
+    uint32_t next, previous; // in that list; `slots`: nobody
+} brink_filed;
 
 typedef struct brink_calendar {
     uint32_t slots;
-    uint32_t days; // a power of two
-    double day;    // year / days
-    int64_t epoch; // the current year
+    uint32_t days;      // a power of two
+    double days_a_time; // days / year
+    int64_t epoch;      // the current year
     uint32_t today;
-    brink_entry *entry;        // per slot
-    struct brink_filed *filed; // per slot
-    uint32_t *first;           // per day, and one more: later years
-    uint32_t *heap;            // slots, earliest first
+    brink_entry *entry; // per slot
+    brink_filed *filed; // per slot; and one for nobody, where anything is written
+    uint32_t *first;    // per day, and one more: later years
+    uint32_t *heap;     // slots, earliest first
     uint32_t heap_count;
 } brink_calendar;
 

@@ -4,17 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Cells are a little wider than the interaction, so that a captured pair is
-// adjacent wherever rounding has put it: 2^-20 against errors of some 2^-50.
-#define SLACK (1.0 + 0x1p-20)
-
 // As many cells as particles if the interaction allows: an empty cell costs a
 // look and a crossing, a full one its particles.
-static void choose(brink_cells *c, const brink_system *s)
+static void choose(brink_cells *c, const brink_system *s, double reach)
 {
     const double share =
         pow(brink_system_volume(s) / (double)s->count, 1.0 / s->dimensions);
-    c->reach = s->range * SLACK;
+    c->reach = reach * BRINK_SLACK;
     const double width = fmax(c->reach, share);
     for (int a = 0; a < 3; a++) {
         const double fit = floor(s->length[a] / width);
@@ -40,7 +36,7 @@ static int build_walls(brink_cells *c)
     return 0;
 }
 
-static uint32_t cell_at(const brink_cells *c, const uint64_t x[3])
+uint32_t brink_cells_at(const brink_cells *c, const uint64_t x[3])
 {
     uint32_t index[3];
     for (int a = 0; a < 3; a++)
@@ -149,11 +145,11 @@ static void reach(const brink_cells *c, int low[3], int high[3])
     }
 }
 
-int brink_cells_create(brink_cells *c, const brink_system *system)
+int brink_cells_create(brink_cells *c, const brink_system *system, double reach)
 {
     memset(c, 0, sizeof *c);
     c->particles = system->count;
-    choose(c, system);
+    choose(c, system, reach);
     // Each further bucket comes after a full one, which no other comes after.
     const uint32_t further = c->particles / BRINK_BUCKET;
     c->bucket = calloc((size_t)c->total + further, sizeof *c->bucket);
@@ -166,7 +162,7 @@ int brink_cells_create(brink_cells *c, const brink_system *system)
     for (uint32_t k = 0; k < further; k++)
         c->bucket[c->total + k].fill = c->total + k + 1;
     for (uint32_t i = 0; i < c->particles; i++)
-        enter(c, i, cell_at(c, system->particle[i].x));
+        enter(c, i, brink_cells_at(c, system->particle[i].x));
     return 0;
 }
 

@@ -45,11 +45,19 @@ typedef struct brink_crossing {
     int axis, way;
 } brink_crossing;
 
-/** Chooses the cells for the system and files every particle by its position.
- *  0, -1 no memory.  Needs range <= length / 2 on every axis. */
-int brink_cells_create(brink_cells *c, const brink_system *system);
+/** What is told from rounded positions is told with this much to spare, so that a
+ * pair in range is found wherever rounding has put it: 2^-20 against errors of
+ * some 2^-50. */
+#define BRINK_SLACK (1.0 + 0x1p-20)
+
+/** Chooses cells for the system, wider than `reach`, and files every particle by
+ * its position.  0, -1 no memory.  Needs reach <= length / 2 on every axis. */
+int brink_cells_create(brink_cells *c, const brink_system *system, double reach);
 void brink_cells_destroy(brink_cells *c);
 const char *brink_cells_is_valid(const brink_cells *c);
+
+/** The cell at a position. */
+uint32_t brink_cells_at(const brink_cells *c, const uint64_t x[3]);
 
 /** Sets a particle's cell from a stored state (a checkpoint). */
 void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell);

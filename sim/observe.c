@@ -81,8 +81,14 @@ int brink_observe_summary(FILE *out, const brink_run *run, const brink_plan *pla
     put_number(out, "contact_error_max", t->contact_error_max);
     if (record)
         brink_figures_json(out, record, &run->system);
+    const char *const names[] = {"cells", "lists"};
+    const brink_neighbours *n = &run->neighbours;
+    fprintf(out, "  \"neighbourhood\": \"%s\",\n", names[n->radius > 0]);
     fprintf(out, "  \"cells\": [%d, %d, %d],\n", run->cells.count[0],
             run->cells.count[1], run->cells.count[2]);
+    if (n->radius > 0)
+        put_number(out, "neighbours_per_particle",
+                   (double)n->who.used / run->system.count);
     fprintf(out,
             "  \"anomalies\": {\"clamped\": %" PRIu64 ", \"zero_time\": %" PRIu64
             ", \"repeated\": %" PRIu64 ", \"rim\": %" PRIu64

@@ -17,9 +17,10 @@
  * change, to the sum of |p|), temperature, potential_energy_per_particle,
  * pressure, compressibility_factor, mean_free_time, contact_error_max (relative
  * to the step's distance), anomalies{clamped, zero_time, repeated, rim, refused};
- * besides title, version, seed, tier, stopped (why) and the neighbourhood's
- * cells.  A figure that does not exist yet (pressure at time 0) is null.  Where
- * the scene asks for observations (`record` is not NULL), also observed: see
+ * besides title, version, seed, tier, stopped (why) and the neighbourhood: cells
+ * or lists of neighbours, how many cells, and neighbours_per_particle of lists.
+ * A figure that does not exist yet (pressure at time 0) is null.  Where the scene
+ * asks for observations (`record` is not NULL), also observed: see
  * brink_figures_json.  0, -1 if the file could not be written.
  */
 int brink_observe_summary(FILE *out, const brink_run *run, const brink_plan *plan,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
+#include "run_ahead.h"
 #include "run_predict.h"
 #include <brink/impulse.h>
 #include <inttypes.h>
@@ -10,15 +11,31 @@
 
 static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry)
 {
+    const brink_crossing crossing = {(int)(entry->j / 2), entry->j % 2 ? 1 : -1};
+    return brink_cells_cross(&run->cells, entry->i, crossing) ? BRINK_RUN_REACHED
+                                                              : BRINK_RUN_REFUSED;
+}
+
+static enum brink_run_status leave_home(brink_run *run, uint32_t i)
+{
+    return brink_neighbours_depart(&run->neighbours, &run->cells, &run->system, i)
+               ? BRINK_RUN_NO_MEMORY
+               : BRINK_RUN_REACHED;
+}
+
+// A particle comes among others, by a virtual state of the one sort or the other.
+static enum brink_run_status move_on(brink_run *run, const brink_entry *entry)
+{
     const uint32_t i = entry->i;
     const double offset = entry->when.offset;
-    const brink_crossing crossing = {(int)(entry->j / 2), entry->j % 2 ? 1 : -1};
     brink_system_advance(&run->system, i, offset);
-    if (!brink_cells_cross(&run->cells, i, crossing))
-        return BRINK_RUN_REFUSED;
-    run->tally.cell++;
-    brink_predict(run, i, offset);
-    return BRINK_RUN_REACHED;
+    const enum brink_run_status status =
+        run->neighbours.radius > 0 ? leave_home(run, i) : cross_wall(run, entry);
+    if (status == BRINK_RUN_REACHED) {
+        run->tally.cell++;
+        brink_predict(run, i, offset);
+    }
+    return status;
 }
 
 // Velocities after the meeting; what happened.
@@ -118,7 +135,7 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
         brink_system_turn(s, entry.when.epoch);
     run->now = entry.when;
     if (entry.kind == BRINK_ENTRY_CELL)
-        return cross_wall(run, &entry);
+        return move_on(run, &entry);
     const uint32_t partner = slot == entry.i ? entry.j : entry.i;
     if (s->particle[partner].generation != entry.generation) {
         run->tally.stale++;
@@ -141,6 +158,7 @@ enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
                 run->now = until;
             return at_rest ? BRINK_RUN_AT_REST : BRINK_RUN_REACHED;
         }
+        brink_look_ahead(run);
         const enum brink_run_status status = execute(run, slot);
         if (status != BRINK_RUN_REACHED)
             return status;
@@ -205,7 +223,12 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     run->is_partner = calloc(n, 1);
     // A year is as long as a particle takes to cross a cell or two (see
     // brink_kinetic_year), so that a day has an event or a few.
-    if (!run->is_partner || brink_cells_create(&run->cells, &run->system) ||
+    const double radius = brink_neighbours_radius(&run->system);
+    const double reach = run->system.range + 2 * radius;
+    if (!run->is_partner ||
+        brink_cells_create(&run->cells, &run->system, reach) ||
+        brink_neighbours_create(&run->neighbours, &run->cells, &run->system,
+                                radius) ||
         brink_states_create(&run->states, &run->system) ||
         brink_calendar_create(&run->calendar, n, run->system.year, 2 * n)) {
         brink_run_destroy(run);
@@ -219,7 +242,8 @@ int brink_run_create(brink_run *run, brink_system *system, enum brink_tier tier)
 {
     if (brink_run_assemble(run, system, tier))
         return -1;
-    if (find_levels(run)) {
+    if (find_levels(run) ||
+        brink_neighbours_fill(&run->neighbours, &run->cells, &run->system)) {
         brink_run_destroy(run);
         return -1;
     }
@@ -236,6 +260,7 @@ void brink_run_destroy(brink_run *run)
     brink_system_destroy(&run->system);
     brink_states_destroy(&run->states);
     brink_cells_destroy(&run->cells);
+    brink_neighbours_destroy(&run->neighbours);
     brink_calendar_destroy(&run->calendar);
     free(run->is_partner);
     memset(run, 0, sizeof *run);
@@ -246,6 +271,9 @@ const char *brink_run_is_valid(const brink_run *run)
     const char *fault = brink_system_is_valid(&run->system);
     if (!fault)
         fault = brink_cells_is_valid(&run->cells);
+    if (!fault)
+        fault = brink_neighbours_is_valid(&run->neighbours, &run->cells,
+                                          &run->system);
     if (!fault)
         fault = brink_states_is_valid(&run->states, &run->system);
     if (!fault)

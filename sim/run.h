@@ -11,13 +11,15 @@
  */
 #include "calendar.h"
 #include "cells.h"
+#include "neighbours.h"
 #include "states.h"
 #include "sum.h"
 #include "system.h"
 
 enum brink_tier { BRINK_TIER_FAST, BRINK_TIER_PLAIN, BRINK_TIER_CR };
 
-/** What a run has counted.  An event is one pair's; cells are counted apart. */
+/** What a run has counted.  An event is one pair's; `cell`, crossings of cells'
+ * walls or departures from home, is counted apart. */
 typedef struct brink_tally {
     uint64_t core, capture, release, bounce, wall, cell;
     uint64_t stale; // predictions made anew, the partner having changed
@@ -50,7 +52,8 @@ typedef struct brink_run {
     brink_system system;
     brink_states states;
     brink_cells cells;
-    brink_calendar calendar; // slot i: what particle i waits for
+    brink_neighbours neighbours; // where it is crowded
+    brink_calendar calendar;     // slot i: what particle i waits for
     enum brink_tier tier;
     brink_instant now;
     brink_tally tally;
@@ -62,6 +65,7 @@ typedef struct brink_run {
     double momentum_begin[3];
     double image[27][3]; // shifts to the images a particle is looked for in
     int images;
+    uint32_t looked; // the day for which memory has been asked: see run_ahead.h
     uint8_t *is_partner; // per particle, scratch: of the one being predicted
 } brink_run;
 

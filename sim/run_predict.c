@@ -175,7 +175,8 @@ static void add_steps_inside(search *s, const brink_link *link)
 static void add_partners(search *s)
 {
     const brink_link *link = brink_states_links(&s->run->states, s->i);
-    uint32_t left = s->run->states.circle[s->i].count, who[BRINK_BATCH];
+    uint32_t left = brink_states_partners(&s->run->states, s->i),
+             who[BRINK_BATCH];
     while (left > 0) {
         const uint32_t count = left < BRINK_BATCH ? left : BRINK_BATCH;
         for (uint32_t n = 0; n < count; n++)
@@ -212,7 +213,7 @@ static void add_images(search *s, const uint32_t *who, int count)
 static void mark_partners(brink_run *run, uint32_t i, uint8_t mark)
 {
     const brink_link *link = brink_states_links(&run->states, i);
-    for (uint32_t n = 0; n < run->states.circle[i].count; n++)
+    for (uint32_t n = 0; n < brink_states_partners(&run->states, i); n++)
         run->is_partner[link[n].partner] = mark;
 }
 
@@ -242,52 +243,88 @@ static int keep_others(const brink_run *run, uint32_t i, uint32_t *who, int coun
     return kept;
 }
 
-// Everybody in these cells but i and its partners.
-static void add_strangers(search *s, const uint32_t *cells, int count)
+// Adds those of `who` who are not i's partners.
+static void add_strangers(search *s, uint32_t *who, int count)
 {
     brink_run *run = s->run;
+    if (brink_states_partners(&run->states, s->i) > 0)
+        count = keep_strangers(run, s->i, who, count);
+    if (s->inward.count + count > BRINK_BATCH)
+        look_inward(s);
+    if (run->images == 1)
+        add_nearest(s, &s->inward, who, count);
+    else
+        add_images(s, who, count);
+}
+
+static void add_from_cells(search *s, const uint32_t *cells, int count)
+{
     uint32_t who[BRINK_HANDFUL];
     brink_tour tour = brink_tour_of(cells, count);
-    for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;) {
-        n = keep_others(run, s->i, who, n);
-        if (run->states.circle[s->i].count > 0)
-            n = keep_strangers(run, s->i, who, n);
-        if (s->inward.count + n > BRINK_BATCH)
-            look_inward(s);
-        if (run->images == 1)
-            add_nearest(s, &s->inward, who, n);
-        else
-            add_images(s, who, n);
+    for (int n; (n = brink_tour_next(&s->run->cells, &tour, who)) > 0;)
+        add_strangers(s, who, keep_others(s->run, s->i, who, n));
+}
+
+static void add_neighbours(search *s)
+{
+    const brink_neighbours *all = &s->run->neighbours;
+    const uint32_t *next = brink_neighbours_of(all, s->i);
+    const uint32_t *const end = next + brink_neighbours_count(all, s->i);
+    while (next < end) {
+        uint32_t who[BRINK_HANDFUL];
+        int n = 0;
+        while (n < BRINK_HANDFUL && next < end) {
+            BRINK_PREFETCH(&s->run->system.particle[*next]);
+            who[n++] = *next++;
+        }
+        add_strangers(s, who, n);
     }
 }
 
-// What there is to beat: particle i's next crossing.
+// What there is to beat: the end of the time for which it is known who is near,
+// and which way it ends.
 static void begin(search *s, brink_run *run, uint32_t i, double offset,
-                  const brink_stay *stay)
+                  double until, uint32_t way)
 {
     const brink_instant new_year = {run->system.epoch, 0.0};
-    const brink_crossing next = stay->crossing;
     s->run = run;
     s->i = i;
     s->offset = offset;
     s->inward.count = s->outward.count = 0;
-    s->soonest = stay->until;
+    s->soonest = until;
     s->best = (brink_entry){
-        .when = brink_instant_after(run->system.year, new_year, stay->until),
+        .when = brink_instant_after(run->system.year, new_year, until),
         .i = i,
-        .j = (uint32_t)(2 * next.axis + (next.way > 0)),
+        .j = way,
         .kind = BRINK_ENTRY_CELL,
     };
+    add_partners(s);
+}
+
+static void search_cells(search *s, brink_run *run, uint32_t i, double offset)
+{
+    brink_stay stay;
+    brink_cells_stay(&run->cells, &run->system, i, offset, &stay);
+    begin(s, run, i, offset, stay.until,
+          (uint32_t)(2 * stay.crossing.axis + (stay.crossing.way > 0)));
+    add_from_cells(s, stay.near, stay.cells);
+}
+
+static void search_neighbours(search *s, brink_run *run, uint32_t i,
+                              double offset)
+{
+    begin(s, run, i, offset,
+          brink_neighbours_until(&run->neighbours, &run->system, i, offset), 0);
+    add_neighbours(s);
 }
 
 void brink_predict(brink_run *run, uint32_t i, double offset)
 {
     search s;
-    brink_stay stay;
-    brink_cells_stay(&run->cells, &run->system, i, offset, &stay);
-    begin(&s, run, i, offset, &stay);
-    add_partners(&s);
-    add_strangers(&s, stay.near, stay.cells);
+    if (run->neighbours.radius > 0)
+        search_neighbours(&s, run, i, offset);
+    else
+        search_cells(&s, run, i, offset);
     look_inward(&s);
     brink_calendar_set(&run->calendar, i, &s.best);
 }

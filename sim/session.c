@@ -245,7 +245,7 @@ int brink_session_check(const char *scene)
                " pairs captured, energy %.17g\n",
                scene, s.run.system.count, s.run.system.length[0],
                s.run.system.length[1], s.run.system.length[2],
-               (int64_t)(s.run.states.used / 2), s.run.energy_begin);
+               (int64_t)(s.run.states.links.used / 2), s.run.energy_begin);
     destroy(&s);
     return status ? BRINK_EXIT_USAGE : BRINK_EXIT_DONE;
 }

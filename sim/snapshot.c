@@ -168,8 +168,8 @@ static void code_run(brink_codec *c, brink_run *run)
         brink_code_double(c, &run->momentum_begin[a]);
 }
 
-// Cells, levels and pending events are looked up when written and placed when
-// read.
+// Cells, homes, levels and pending events are looked up when written and placed
+// when read.
 
 static void write_cells(brink_codec *c, const brink_run *run)
 {
@@ -191,13 +191,38 @@ static void read_cells(brink_codec *c, brink_run *run)
     }
 }
 
+// Where there are lists, they follow from the homes, as the cells do.
+
+static void write_homes(brink_codec *c, const brink_run *run)
+{
+    for (uint32_t i = 0; i < run->system.count && run->neighbours.home; i++)
+        for (int a = 0; a < 3; a++) {
+            uint32_t x = run->neighbours.home[i].x[a];
+            brink_code_u32(c, &x);
+        }
+}
+
+static void read_homes(brink_codec *c, brink_run *run)
+{
+    const brink_system *s = &run->system;
+    brink_neighbours *n = &run->neighbours;
+    for (uint32_t i = 0; i < s->count && n->home && !c->fault; i++) {
+        brink_home home = {.species = s->particle[i].species};
+        for (int a = 0; a < 3; a++)
+            brink_code_u32(c, &home.x[a]);
+        brink_neighbours_place(n, &run->cells, i, &home);
+    }
+    if (!c->fault && brink_neighbours_fill(n, &run->cells, s))
+        c->fault = "memory is out";
+}
+
 static void write_levels(brink_codec *c, const brink_run *run)
 {
     const brink_states *s = &run->states;
-    uint64_t pairs = s->used / 2;
+    uint64_t pairs = s->links.used / 2;
     brink_code_u64(c, &pairs);
     for (uint32_t i = 0; i < run->system.count; i++)
-        for (uint32_t k = 0; k < s->circle[i].count; k++) {
+        for (uint32_t k = 0; k < brink_states_partners(s, i); k++) {
             const brink_link link = brink_states_links(s, i)[k];
             uint32_t first = i, second = link.partner;
             int level = link.level;
@@ -303,6 +328,7 @@ const char *brink_snapshot_write(FILE *file, const brink_run *run,
     code_system(&c, &r.system);
     code_run(&c, &r);
     write_cells(&c, run);
+    write_homes(&c, run);
     write_levels(&c, run);
     write_entries(&c, run);
     brink_codec_seal(&c);
@@ -340,6 +366,7 @@ static void read_run(brink_codec *c, brink_run *run)
     run->kinetic_begin = read.kinetic_begin;
     memcpy(run->momentum_begin, read.momentum_begin, sizeof run->momentum_begin);
     read_cells(c, run);
+    read_homes(c, run);
     read_levels(c, run);
     read_entries(c, run);
     brink_codec_seal(c);

@@ -2,15 +2,15 @@
 #ifndef BRINK_SNAPSHOT_H
 #define BRINK_SNAPSHOT_H
 /**
- * A run as bytes, every bit of it: positions, velocities, levels, cells, clock,
- * pending events, tallies, and the scene it came from.  Logical states are stored
- * and win over positions [S16 section 6]; pending events are stored because to
- * predict them anew would be to round anew.
+ * A run as bytes, every bit of it: positions, velocities, levels, cells, homes,
+ * clock, pending events, tallies, and the scene it came from.  Logical states are
+ * stored and win over positions [S16 section 6]; pending events are stored
+ * because to predict them anew would be to round anew.
  */
 #include "run.h"
 #include <stdio.h>
 
-#define BRINK_SNAPSHOT_VERSION 3
+#define BRINK_SNAPSHOT_VERSION 4
 
 /** What a run was asked for and how far its output has got. */
 typedef struct brink_plan {

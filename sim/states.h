@@ -7,6 +7,7 @@
  * memory goes with the number of captured pairs; a particle's partners and levels
  * lie side by side.  Levels change by brink_states_apply alone.
  */
+#include "lists.h"
 #include "system.h"
 
 typedef struct brink_link { // one captured pair, as one of its particles has it
@@ -14,23 +15,9 @@ typedef struct brink_link { // one captured pair, as one of its particles has it
     int32_t level; // 1..count
 } brink_link;
 
-/** Where a particle's links are in the pool: in a block with room for 4 of them,
- * or 8, or 16, as few as will do; without any there is none. */
-typedef struct brink_circle {
-    uint32_t first, count;
-} brink_circle;
-
-#define BRINK_BLOCK_SIZES 30 // 4 to 2^31
-
 typedef struct brink_states {
     uint32_t particles;
-    brink_circle *circle; // per particle
-    brink_link *link;     // pool
-    uint32_t capacity;    // of the pool
-    uint32_t touched;     // what lies below has been in a block at some time
-    // by size: the first free block, chained by its first link's `partner`
-    uint32_t free[BRINK_BLOCK_SIZES];
-    uint32_t used; // links
+    brink_lists links; // of brink_link
     int species_count;
     int levels;     // the most levels any potential has
     int64_t *pairs; // pairs at a level: [(a * species_count + b) * levels +
@@ -45,11 +32,16 @@ const char *brink_states_is_valid(const brink_states *s,
 
 int brink_states_level(const brink_states *s, uint32_t i, uint32_t j);
 
-/** The circle[i].count partners of i; unless there are none. */
+/** How many partners i has, and i's links with them. */
+static inline uint32_t brink_states_partners(const brink_states *s, uint32_t i)
+{
+    return s->links.list[i].count;
+}
+
 static inline const brink_link *brink_states_links(const brink_states *s,
                                                    uint32_t i)
 {
-    return &s->link[s->circle[i].first];
+    return brink_lists_item(&s->links, i, 0);
 }
 
 /** Sets a pair's level when a configuration is first made or loaded.  0, -1 no

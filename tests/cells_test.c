@@ -40,7 +40,7 @@ START_TEST(cells_are_wider_than_the_interaction_or_three_with_images)
     brink_system s;
     brink_cells c;
     make(&s, 3, 30, 4.9, 5.1, 5000, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     ck_assert_int_eq(c.count[0],
                      29); // 30 cells of exactly the range have no slack
     ck_assert_int_eq(c.images[0], 1);
@@ -52,7 +52,7 @@ START_TEST(cells_are_wider_than_the_interaction_or_three_with_images)
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     make(&s, 2, 1000, 1000, 1, 100, rng); // dilute: as many cells as particles
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     ck_assert_int_eq(c.count[0], 10);
     ck_assert_int_eq(c.count[2], 1);
     ck_assert_int_eq(c.images[2], 1);
@@ -72,7 +72,7 @@ START_TEST(whoever_is_in_range_is_adjacent)
         uint32_t around[27], who[BRINK_HANDFUL];
         double r[3];
         make(&s, dimensions, 12, 9, dimensions == 3 ? 4 : 1, 500, rng);
-        ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+        ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
         for (uint32_t i = 0; i < s.count; i++) {
             uint8_t adjacent[500] = {0};
             brink_tour tour =
@@ -120,7 +120,7 @@ START_TEST(whoever_is_met_before_a_crossing_is_near)
     brink_cells c;
     int met = 0, spared = 0;
     make(&s, 3, 12, 13, 4, 300, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     for (uint32_t i = 0; i < s.count; i++) {
         brink_stay stay;
         brink_crossing way;
@@ -154,13 +154,13 @@ START_TEST(all_is_near_to_a_particle_at_rest_in_the_middle_of_small_cells)
     brink_cells c;
     brink_stay stay;
     make(&s, 3, 8, 8, 8, 4000, rng); // cells of 8/7, less than twice the range
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     for (int a = 0; a < 3; a++) {
         s.particle[3].v[a] = 0;
         s.particle[3].x[a] = UINT64_C(1) << 63;
     }
     brink_cells_destroy(&c);
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     brink_cells_stay(&c, &s, 3, 0.0, &stay);
     ck_assert(isinf(stay.until));
     ck_assert_int_eq(stay.cells, 27);
@@ -177,7 +177,7 @@ START_TEST(crossings_keep_the_cell_in_step_with_the_position)
     brink_system s;
     brink_cells c;
     make(&s, 3, 8, 3, 11, 300, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     for (uint32_t i = 0; i < s.count; i++)
         for (int n = 0; n < 200; n++) {
             brink_particle *p = &s.particle[i];
@@ -220,7 +220,7 @@ START_TEST(a_particle_at_rest_never_crosses)
     make(&s, 3, 8, 8, 8, 10, rng);
     for (int a = 0; a < 3; a++)
         s.particle[3].v[a] = 0;
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     ck_assert(isinf(crossing_of(&c, &s, 3, 0.0, &crossing)));
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
@@ -235,7 +235,7 @@ START_TEST(a_particle_beyond_its_wall_by_a_rounding_crosses_at_once)
     brink_cells c;
     brink_crossing crossing;
     make(&s, 3, 8, 8, 8, 10, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     brink_particle *p = &s.particle[3];
     p->v[0] = 0.5, p->v[1] = p->v[2] = 0;
     p->x[0] = c.wall[0][c.cell[3] % (uint32_t)c.count[0] + 1] + 5;
@@ -254,7 +254,7 @@ START_TEST(the_check_sees_a_particle_in_the_wrong_list)
     brink_system s;
     brink_cells c;
     make(&s, 3, 8, 8, 8, 10, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s), 0);
+    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
     ck_assert_ptr_null(brink_cells_is_valid(&c));
     c.cell[4] ^= 1;
     ck_assert_ptr_nonnull(brink_cells_is_valid(&c));

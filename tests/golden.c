@@ -63,5 +63,7 @@ int main(void)
     golden("three steps", three_steps);
     golden("mixture", mixture);
     golden("discs in wells", discs_well);
+    golden("crowded spheres", crowded_spheres);
+    golden("crowded mixture", crowded_mixture);
     return 0;
 }

@@ -22,9 +22,10 @@ FLOORS = """
     snapshot
     codec trajectory run
     scene
+    neighbours
     cells calendar states
     system
-    clock sum
+    clock sum lists
     event_time impulse
     step
     overlap quadratic

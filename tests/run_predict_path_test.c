@@ -34,8 +34,9 @@ static void compare_paths(brink_run *run)
 
 START_TEST(predictions_are_the_same_on_every_path)
 {
-    static const char *const scenes[] = {hard_spheres, square_well, three_steps,
-                                         mixture,      discs_well,  small_box};
+    static const char *const scenes[] = {
+        hard_spheres, square_well, three_steps,     mixture,
+        discs_well,   small_box,   crowded_spheres, crowded_mixture};
     for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
         brink_run run;
         make_run(&run, scenes[k]);

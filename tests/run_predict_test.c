@@ -38,12 +38,15 @@ static double meeting(const brink_run *run, uint32_t i, uint32_t j)
 // pair's: looked for among all pairs, without cells, from where everybody is now.
 START_TEST(no_pair_meets_before_the_calendar_says)
 {
-    const char *const scenes[] = {hard_spheres, square_well, three_steps,
-                                  mixture,      discs_well,  small_box};
+    const char *const scenes[] = {hard_spheres,    square_well,    three_steps,
+                                  mixture,         discs_well,     small_box,
+                                  crowded_spheres, crowded_mixture};
     for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
         brink_run run;
         make_run(&run, scenes[k]);
-        for (uint64_t events = 1; events < 30; events++) {
+        // So many that about a million pairs are looked at.
+        const uint64_t pairs = (uint64_t)run.system.count * run.system.count / 2;
+        for (uint64_t events = 1; events < 1000000 / pairs; events++) {
             advance(&run, events);
             const double next = brink_instant_since(
                 run.system.year,

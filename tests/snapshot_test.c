@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const scenes[] = {hard_spheres, square_well, square_shoulder,
-                                     three_steps,  mixture,     discs_well,
-                                     small_box};
+static const char *const scenes[] = {
+    hard_spheres, square_well, square_shoulder, three_steps,    mixture,
+    discs_well,   small_box,   crowded_spheres, crowded_mixture};
 enum { ALL = sizeof scenes / sizeof *scenes };
 
 static brink_plan plan = {.events = 12345,

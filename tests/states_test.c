@@ -4,7 +4,6 @@
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { COUNT = 40 };
@@ -37,9 +36,9 @@ START_TEST(only_captured_pairs_are_stored_and_both_know)
     ck_assert_int_eq(brink_states_apply(&t, &s, 3, 7, BRINK_CAPTURE), 0);
     ck_assert_int_eq(brink_states_level(&t, 3, 7), 1);
     ck_assert_int_eq(brink_states_level(&t, 7, 3), 1);
-    ck_assert_uint_eq(t.used, 2);
+    ck_assert_uint_eq(t.links.used, 2);
     ck_assert_int_eq(brink_states_apply(&t, &s, 7, 3, BRINK_RELEASE), 0);
-    ck_assert_uint_eq(t.used, 0);
+    ck_assert_uint_eq(t.links.used, 0);
     ck_assert_ptr_null(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
     brink_system_destroy(&s);
@@ -128,30 +127,6 @@ START_TEST(a_log_of_events_leaves_the_levels_of_a_plain_table)
 }
 END_TEST
 
-// A square well at density 0.5 once wrote behind the pool, after some hundred
-// thousand events: fewer partners need a block too, a smaller one.
-START_TEST(who_loses_a_partner_has_room_in_a_pool_that_is_full)
-{
-    brink_system s;
-    brink_states t;
-    make(&s);
-    ck_assert_int_eq(brink_states_create(&t, &s), 0);
-    for (uint32_t j = 1; j <= 5; j++)
-        ck_assert_int_eq(brink_states_set(&t, &s, 0, j, 1), 0);
-    // There are free blocks of 4: taken, so that the next has to be a new one.
-    for (uint32_t i = 10; i < 20; i += 2)
-        ck_assert_int_eq(brink_states_set(&t, &s, i, i + 1, 1), 0);
-    t.link = realloc(t.link, t.touched * sizeof *t.link);
-    ck_assert_ptr_nonnull(t.link);
-    t.capacity = t.touched;
-    ck_assert_int_eq(brink_states_set(&t, &s, 0, 5, 0), 0);
-    ck_assert_uint_le(t.touched, t.capacity);
-    ck_assert_ptr_null(brink_states_is_valid(&t, &s));
-    brink_states_destroy(&t);
-    brink_system_destroy(&s);
-}
-END_TEST
-
 START_TEST(the_check_sees_particles_that_disagree)
 {
     brink_system s;
@@ -159,9 +134,9 @@ START_TEST(the_check_sees_particles_that_disagree)
     make(&s);
     ck_assert_int_eq(brink_states_create(&t, &s), 0);
     brink_states_set(&t, &s, 0, 1, 1);
-    t.link[t.circle[0].first].level = 2;
+    ((brink_link *)brink_lists_item(&t.links, 0, 0))->level = 2;
     ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
-    t.link[t.circle[0].first].level = 1;
+    ((brink_link *)brink_lists_item(&t.links, 0, 0))->level = 1;
     t.pairs[1]++;
     ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
@@ -175,6 +150,5 @@ int main(void)
                      an_illegal_event_is_refused_and_changes_nothing,
                      the_energy_is_a_count_times_the_energies,
                      a_log_of_events_leaves_the_levels_of_a_plain_table,
-                     who_loses_a_partner_has_room_in_a_pool_that_is_full,
                      the_check_sees_particles_that_disagree);
 }

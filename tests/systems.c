@@ -54,6 +54,20 @@ const char small_box[] = "seed: 17\n"
                          "potentials:\n"
                          "  - {between: [A, A], steps: [[2, -1], [1, .inf]]}\n";
 
+const char crowded_spheres[] = "seed: 18\n"
+                               "box: {packing_fraction: 0.45}\n"
+                               "species: {A: {count: 500, diameter: 1}}\n";
+
+const char crowded_mixture[] =
+    "seed: 19\n"
+    "box: {size: [12, 11.5, 11.3]}\n"
+    "species: {A: {count: 400, mass: 1}, B: {count: 100, mass: 3}}\n"
+    "start: {random: true}\n"
+    "potentials:\n"
+    "  - {between: [A, A], steps: [[1.5, -1], [1, .inf]]}\n"
+    "  - {between: [A, B], steps: [[1.1, .inf]]}\n"
+    "  - {between: [B, B], steps: [[1.2, .inf]]}\n";
+
 void make_system(brink_system *system, const char *scene)
 {
     brink_scene s;
@@ -99,15 +113,23 @@ void advance(brink_run *run, uint64_t events)
 static int same_levels(const brink_run *a, const brink_run *b)
 {
     const brink_states *s = &a->states;
-    if (s->used != b->states.used)
+    if (s->links.used != b->states.links.used)
         return 0;
     for (uint32_t i = 0; i < s->particles; i++)
-        for (uint32_t k = 0; k < s->circle[i].count; k++) {
+        for (uint32_t k = 0; k < brink_states_partners(s, i); k++) {
             const brink_link link = brink_states_links(s, i)[k];
             if (brink_states_level(&b->states, i, link.partner) != link.level)
                 return 0;
         }
     return 1;
+}
+
+static int same_homes(const brink_run *a, const brink_run *b)
+{
+    const brink_neighbours *m = &a->neighbours, *n = &b->neighbours;
+    return m->radius == n->radius && m->who.used == n->who.used &&
+           (!(m->radius > 0) ||
+            memcmp(m->home, n->home, a->system.count * sizeof *m->home) == 0);
 }
 
 int same_state(const brink_run *a, const brink_run *b)
@@ -117,6 +139,7 @@ int same_state(const brink_run *a, const brink_run *b)
            memcmp(a->system.particle, b->system.particle,
                   n * sizeof *a->system.particle) == 0 &&
            memcmp(a->cells.cell, b->cells.cell, n * sizeof *a->cells.cell) == 0 &&
+           same_homes(a, b) &&
            memcmp(a->calendar.entry, b->calendar.entry,
                   n * sizeof *a->calendar.entry) == 0 &&
            memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&

@@ -25,4 +25,7 @@ int same_state(const brink_run *a, const brink_run *b);
 
 extern const char hard_spheres[], square_well[], square_shoulder[], three_steps[],
     mixture[], discs_well[], small_box[];
+
+/** Crowded enough for lists of neighbours. */
+extern const char crowded_spheres[], crowded_mixture[];
 #endif

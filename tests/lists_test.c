@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "lists.h"
+#include "suite.h"
+#include <gsl/gsl_rng.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LISTS = 20, MOST = 70 };
+
+// What the lists should be.
+typedef struct model {
+    uint64_t item[LISTS][MOST];
+    uint32_t count[LISTS];
+} model;
+
+static void same(const brink_lists *l, const model *m)
+{
+    uint32_t used = 0;
+    for (uint32_t i = 0; i < LISTS; i++) {
+        ck_assert_uint_eq(l->list[i].count, m->count[i]);
+        used += m->count[i];
+        for (uint32_t k = 0; k < m->count[i]; k++)
+            ck_assert_mem_eq(brink_lists_item(l, i, k), &m->item[i][k],
+                             sizeof m->item[i][k]);
+    }
+    ck_assert_uint_eq(l->used, used);
+    ck_assert_uint_le(l->touched, l->capacity);
+}
+
+START_TEST(lists_grow_and_shrink_as_their_model_does)
+{
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    static model m;
+    brink_lists l;
+    printf("seed 1\n");
+    gsl_rng_set(rng, 1);
+    ck_assert_int_eq(brink_lists_create(&l, LISTS, sizeof(uint64_t)), 0);
+    for (uint64_t n = 0; n < 200000; n++) {
+        // Mostly longer for a while, then mostly shorter, and so on.
+        const int longer = gsl_rng_uniform(rng) < (n / 500 % 2 ? 0.8 : 0.2);
+        const uint32_t i = (uint32_t)gsl_rng_uniform_int(rng, LISTS);
+        if (longer ? m.count[i] == MOST : m.count[i] == 0)
+            continue;
+        ck_assert_int_eq(brink_lists_make_room(&l, i, (i + 1) % LISTS), 0);
+        if (longer) {
+            memcpy(brink_lists_add(&l, i), &n, sizeof n);
+            m.item[i][m.count[i]++] = n;
+        } else {
+            const uint32_t k = (uint32_t)gsl_rng_uniform_int(rng, m.count[i]);
+            brink_lists_remove(&l, i, k);
+            m.item[i][k] = m.item[i][--m.count[i]];
+        }
+        if (n % 50 == 0)
+            same(&l, &m);
+    }
+    // Blocks are used again: the pool has room for a few times what was in it.
+    ck_assert_uint_le(l.capacity, 8 * LISTS * MOST);
+    brink_lists_destroy(&l);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+// Where nothing is left of the pool, a shorter list's smaller block is not there.
+START_TEST(a_list_that_becomes_shorter_has_room_made_too)
+{
+    brink_lists l;
+    uint32_t most = 0;
+    ck_assert_int_eq(brink_lists_create(&l, 64, sizeof(uint64_t)), 0);
+    for (uint32_t i = 0; i < 64; i++) // each of five: in a block of eight
+        for (int k = 0; k < 5; k++) {
+            ck_assert_int_eq(brink_lists_make_room(&l, i, i), 0);
+            memset(brink_lists_add(&l, i), 0, sizeof(uint64_t));
+        }
+    for (uint32_t i = 0; i < 64; i++) {
+        ck_assert_int_eq(brink_lists_make_room(&l, i, i), 0);
+        brink_lists_remove(&l, i, 0);
+        ck_assert_uint_le(l.touched, l.capacity);
+        const uint32_t end = l.list[i].first + 4;
+        most = end > most ? end : most;
+    }
+    ck_assert_uint_le(most, l.capacity);
+    brink_lists_destroy(&l);
+}
+END_TEST
+
+START_TEST(more_than_there_are_numbers_for_is_no_memory)
+{
+    brink_lists l;
+    ck_assert_int_eq(brink_lists_create(&l, 1, 4), 0);
+    l.touched = UINT32_MAX - 8; // as if so many were in use
+    ck_assert_int_eq(brink_lists_make_room(&l, 0, 0), -1);
+    brink_lists_destroy(&l);
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("lists", 60, lists_grow_and_shrink_as_their_model_does,
+                     a_list_that_becomes_shorter_has_room_made_too,
+                     more_than_there_are_numbers_for_is_no_memory);
+}
