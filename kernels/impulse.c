@@ -2,6 +2,8 @@
 // Double-double throughout, each velocity rounded once at the end: the bounds of
 // the header are those of that last rounding.  With M = m1 + m2,
 //     v1' = v1 + m2 / M (b' - b) / r.r r,    v2' = v2 - m1 / M (b' - b) / r.r r.
+// What that last rounding of x + y to x leaves out, y, is known; the energy m x y
+// of it is what the _balanced functions account for.
 #include "path.h"
 
 #include "dyadic.h"
@@ -10,10 +12,12 @@
 /** A pair with its lengths, velocities and masses scaled to about 1, exactly. */
 typedef struct pair {
     double r[3], v1[3], v2[3]; // times 2^-er, 2^-ev, 2^-ev
+    double m1, m2;             // times 2^-em
     int er, ev, em;
     dd v[3];       // v1 - v2, exact
     dd b, rr;      // r.v, r.r, to 8u^2 of sum |r_i v_i|, of r.r
     dd k1, k2, mu; // m2 / (m1 + m2), m1 / (m1 + m2), m1 m2 / (m1 + m2): <= 2^-100
+    double owed;   // energy, times 2^-em-2ev
 } pair;
 
 static void scale(double out[3], const double x[3], int e)
@@ -24,7 +28,8 @@ static void scale(double out[3], const double x[3], int e)
 
 /** `rise` is counted in where it is a fall: its speed is what the pair gains. */
 static void pair_make(pair *p, const double r[3], double m1, double m2,
-                      double rise, const double v1[3], const double v2[3])
+                      double rise, const double v1[3], const double v2[3],
+                      double owed)
 {
     const double speeds[6] = {v1[0], v1[1], v1[2], v2[0], v2[1], v2[2]};
     const double masses[2] = {m1, m2};
@@ -43,27 +48,46 @@ static void pair_make(pair *p, const double r[3], double m1, double m2,
         p->b = dd_add(p->b, dd_mul_d(p->v[i], p->r[i]));
         p->rr = dd_add(p->rr, two_prod(p->r[i], p->r[i]));
     }
-    m1 *= power_of_two(-p->em);
-    m2 *= power_of_two(-p->em);
+    p->m1 = m1 *= power_of_two(-p->em);
+    p->m2 = m2 *= power_of_two(-p->em);
+    p->owed = ldexp(owed, -p->em - 2 * p->ev);
     dd sum = two_sum(m1, m2);
     p->k1 = dd_div((dd){m2, 0}, sum);
     p->k2 = dd_div((dd){m1, 0}, sum);
     p->mu = dd_mul_d(p->k1, m1);
 }
 
-/** v1 += k1 w, v2 -= k2 w, each rounded once. */
-static void pair_kick(const pair *p, const dd w[3], double v1[3], double v2[3])
+/** v1 += k1 w, v2 -= k2 w, each rounded once; the energy that this takes is owed.
+ */
+static void pair_kick(pair *p, const dd w[3], double v1[3], double v2[3])
 {
-    double unit = power_of_two(p->ev);
+    double unit = power_of_two(p->ev), taken1 = 0, taken2 = 0;
     for (int i = 0; i < 3; i++) {
         dd w1 = dd_mul(p->k1, w[i]), w2 = dd_mul(p->k2, dd_negate(w[i]));
-        v1[i] = dd_add_d(w1, p->v1[i]).hi * unit;
-        v2[i] = dd_add_d(w2, p->v2[i]).hi * unit;
+        w1 = dd_add_d(w1, p->v1[i]);
+        w2 = dd_add_d(w2, p->v2[i]);
+        taken1 += w1.hi * w1.lo; // of (hi + lo)^2 / 2; lo^2 is 2^-53 of it
+        taken2 += w2.hi * w2.lo;
+        v1[i] = w1.hi * unit;
+        v2[i] = w2.hi * unit;
     }
+    p->owed += p->m1 * taken1 + p->m2 * taken2;
+}
+
+/** What is owed, paid: the change d of a speed (times |r|) that is `after`
+ *  without it, from  mu ((after + d)^2 - after^2) / 2 rr = owed.  Where d is not
+ *  small it is left for others to pay. */
+static double pair_pay(pair *p, double after)
+{
+    double square = after * after, gain = 2 * p->owed * p->rr.hi / p->mu.hi;
+    if (!(fabs(gain) < 0x1p-20 * square))
+        return 0;
+    p->owed = 0;
+    return gain / (after + sqrt(square + gain));
 }
 
 /** Changes b by `change` along the line of centres; returns the virial. */
-static double pair_change(const pair *p, dd change, double v1[3], double v2[3])
+static double pair_change(pair *p, dd change, double v1[3], double v2[3])
 {
     if (change.hi == 0) // at r = 0 there is no line of centres either
         return 0;
@@ -75,19 +99,34 @@ static double pair_change(const pair *p, dd change, double v1[3], double v2[3])
 }
 
 /** From b to -|b| along `way`. */
-static dd reflection(const pair *p, enum brink_direction way)
+static dd reflection(pair *p, enum brink_direction way)
 {
-    if (p->b.hi * (int)way > 0)
-        return dd_mul_d(p->b, -2);
+    double s = p->b.hi * (int)way;
+    if (s > 0)
+        return dd_add_d(dd_mul_d(p->b, -2), -(int)way * pair_pay(p, s));
     return (dd){0, 0};
+}
+
+static double energy_owed(const pair *p)
+{
+    return ldexp(p->owed, p->em + 2 * p->ev);
+}
+
+double brink_core_impulse_balanced(const double r[3], double m1, double m2,
+                                   double v1[3], double v2[3], double *owed)
+{
+    pair p;
+    pair_make(&p, r, m1, m2, 0, v1, v2, *owed);
+    double virial = pair_change(&p, reflection(&p, BRINK_INWARD), v1, v2);
+    *owed = energy_owed(&p);
+    return virial;
 }
 
 double brink_core_impulse(const double r[3], double m1, double m2, double v1[3],
                           double v2[3])
 {
-    pair p;
-    pair_make(&p, r, m1, m2, 0, v1, v2);
-    return pair_change(&p, reflection(&p, BRINK_INWARD), v1, v2);
+    double owed = 0;
+    return brink_core_impulse_balanced(r, m1, m2, v1, v2, &owed);
 }
 
 /** sign(m1 m2 b^2 - 2 rise r.r (m1 + m2)), exact. */
@@ -112,12 +151,13 @@ static int exact_surplus(const double r[3], double m1, double m2, double rise,
     return z.sign;
 }
 
-int brink_step_impulse(const double r[3], double m1, double m2, double rise,
-                       enum brink_direction way, double v1[3], double v2[3],
-                       double *virial)
+int brink_step_impulse_balanced(const double r[3], double m1, double m2,
+                                double rise, enum brink_direction way,
+                                double v1[3], double v2[3], double *virial,
+                                double *owed)
 {
     pair p;
-    pair_make(&p, r, m1, m2, rise, v1, v2);
+    pair_make(&p, r, m1, m2, rise, v1, v2, *owed);
 
     // s, the speed along `way` times |r|, becomes s' with s'^2 = s^2 - loss.
     dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
@@ -133,24 +173,37 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
     if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
         crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;
 
-    dd change = reflection(&p, way);
+    dd change;
     if (crosses) {
         dd after = dd_sqrt(rest.hi > 0 ? rest : (dd){0, 0});
         if (s.hi > 0) // s' - s = -loss / (s' + s): nothing cancels
             change = dd_div(dd_negate(loss), dd_add(after, s));
         else
             change = dd_add(after, dd_negate(s));
+        change = dd_add_d(change, pair_pay(&p, after.hi));
         change = dd_mul_d(change, (int)way);
+    } else {
+        change = reflection(&p, way);
     }
     *virial = pair_change(&p, change, v1, v2);
+    *owed = energy_owed(&p);
     return crosses;
 }
 
-int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
-                      double v2[3])
+int brink_step_impulse(const double r[3], double m1, double m2, double rise,
+                       enum brink_direction way, double v1[3], double v2[3],
+                       double *virial)
+{
+    double owed = 0;
+    return brink_step_impulse_balanced(r, m1, m2, rise, way, v1, v2, virial,
+                                       &owed);
+}
+
+int brink_rim_impulse_balanced(const double r[3], double m1, double m2,
+                               double v1[3], double v2[3], double *owed)
 {
     pair p;
-    pair_make(&p, r, m1, m2, 0, v1, v2);
+    pair_make(&p, r, m1, m2, 0, v1, v2, *owed);
     dd vv = {0, 0};
     for (int i = 0; i < 3; i++)
         vv = dd_add(vv, dd_mul(p.v[i], p.v[i]));
@@ -172,5 +225,13 @@ int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
         w[i] = dd_add(after, dd_negate(p.v[i]));
     }
     pair_kick(&p, w, v1, v2);
+    *owed = energy_owed(&p);
     return 1;
+}
+
+int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
+                      double v2[3])
+{
+    double owed = 0;
+    return brink_rim_impulse_balanced(r, m1, m2, v1, v2, &owed);
 }

@@ -60,6 +60,30 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
 int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
                       double v2[3]);
 
+/**
+ * The same three with an account of energy.  Each velocity is rounded at the end,
+ * which makes the energy of a run go the way of a random walk; but what a
+ * rounding takes is known.  *owed, finite, is the kinetic energy that roundings
+ * have taken so far, negative if they have given some.  It is added to the energy
+ * with which the pair goes on, where that changes its radial energy by less than
+ * 2^-20 of itself (else it stays owed), and what is rounded here is put down:
+ *
+ *     energy after + *owed after = energy before + *owed before - rise if crossed
+ *
+ * to BRINK_IMPULSE_BALANCE of the larger kinetic energy and 2^-49 of *owed
+ * before.  Whether the pair crosses does not depend on *owed; where that is 0,
+ * velocities become what they become above.
+ */
+#define BRINK_IMPULSE_BALANCE 0x1p-96
+double brink_core_impulse_balanced(const double r[3], double m1, double m2,
+                                   double v1[3], double v2[3], double *owed);
+int brink_step_impulse_balanced(const double r[3], double m1, double m2,
+                                double rise, enum brink_direction way,
+                                double v1[3], double v2[3], double *virial,
+                                double *owed);
+int brink_rim_impulse_balanced(const double r[3], double m1, double m2,
+                               double v1[3], double v2[3], double *owed);
+
 #ifdef __cplusplus
 }
 #endif

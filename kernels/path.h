@@ -51,8 +51,11 @@
 #define brink_intersection_times_fast BRINK_ON_PATH(brink_intersection_times_fast)
 #define brink_disjoint_times          BRINK_ON_PATH(brink_disjoint_times)
 #define brink_disjoint_times_fast     BRINK_ON_PATH(brink_disjoint_times_fast)
+#define brink_core_impulse_balanced   BRINK_ON_PATH(brink_core_impulse_balanced)
 #define brink_core_impulse            BRINK_ON_PATH(brink_core_impulse)
+#define brink_step_impulse_balanced   BRINK_ON_PATH(brink_step_impulse_balanced)
 #define brink_step_impulse            BRINK_ON_PATH(brink_step_impulse)
+#define brink_rim_impulse_balanced    BRINK_ON_PATH(brink_rim_impulse_balanced)
 #define brink_rim_impulse             BRINK_ON_PATH(brink_rim_impulse)
 #define brink_predict                 BRINK_ON_PATH(brink_predict)
 #endif

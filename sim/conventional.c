@@ -163,14 +163,14 @@ static enum brink_event_kind strike(brink_run *house, const brink_meeting *m,
         inside ? brink_step_rise(m->potential, m->step + 1, BRINK_OUTWARD)
                : brink_step_rise(m->potential, m->step, BRINK_INWARD);
     if (isinf(rise)) {
-        virial = brink_core_impulse(m->r, mi, mj, vi, vj);
+        virial = brink_core_impulse_balanced(m->r, mi, mj, vi, vj, &house->owed);
         brink_sum_add(&house->tally.virial, virial);
         return BRINK_CORE;
     }
     const int parting = brink_ball_overlap_rate_sign(m->r, m->v) > 0;
-    const int crossed = brink_step_impulse(m->r, mi, mj, rise,
-                                           parting ? BRINK_OUTWARD : BRINK_INWARD,
-                                           vi, vj, &virial);
+    const int crossed = brink_step_impulse_balanced(
+        m->r, mi, mj, rise, parting ? BRINK_OUTWARD : BRINK_INWARD, vi, vj,
+        &virial, &house->owed);
     brink_sum_add(&house->tally.virial, virial);
     return !crossed ? BRINK_BOUNCE : inside ? BRINK_RELEASE : BRINK_CAPTURE;
 }

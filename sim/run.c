@@ -51,11 +51,13 @@ static enum brink_event_kind resolve(brink_run *run, const double r[3],
     double virial;
     if (isinf(rise)) {
         kind = BRINK_CORE;
-        virial = brink_core_impulse(r, ma, mb, a->v, b->v);
-    } else if (brink_step_impulse(r, ma, mb, rise, way, a->v, b->v, &virial)) {
+        virial = brink_core_impulse_balanced(r, ma, mb, a->v, b->v, &run->owed);
+    } else if (brink_step_impulse_balanced(r, ma, mb, rise, way, a->v, b->v,
+                                           &virial, &run->owed)) {
         kind = way == BRINK_INWARD ? BRINK_CAPTURE : BRINK_RELEASE;
     } else if (way == BRINK_OUTWARD) {
-        run->tally.rim += (uint64_t)brink_rim_impulse(r, ma, mb, a->v, b->v);
+        run->tally.rim += (uint64_t)brink_rim_impulse_balanced(r, ma, mb, a->v,
+                                                               b->v, &run->owed);
     }
     brink_sum_add(&run->tally.virial, virial);
     a->generation++;

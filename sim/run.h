@@ -58,7 +58,8 @@ typedef struct brink_run {
     brink_instant now;
     brink_tally tally;
     brink_happening last;
-    uint32_t idle;        // consecutive events that did not move the clock
+    uint32_t idle; // consecutive events that did not move the clock
+    double owed;   // energy that roundings have taken, see <brink/impulse.h>
     double energy_begin;  // kinetic and potential when the run was made
     double kinetic_begin; // the kinetic part of it
     double momentum_begin[3];

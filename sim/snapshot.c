@@ -161,6 +161,7 @@ static void code_run(brink_codec *c, brink_run *run)
     code_tally(c, &run->tally);
     code_happening(c, &run->last);
     brink_code_u32(c, &run->idle);
+    brink_code_double(c, &run->owed);
     brink_code_double(c, &run->energy_begin);
     brink_code_double(c, &run->kinetic_begin);
     for (int a = 0; a < 3; a++)
@@ -360,6 +361,7 @@ static void read_run(brink_codec *c, brink_run *run)
     run->tally = read.tally;
     run->last = read.last;
     run->idle = read.idle;
+    run->owed = read.owed;
     run->energy_begin = read.energy_begin;
     run->kinetic_begin = read.kinetic_begin;
     memcpy(run->momentum_begin, read.momentum_begin, sizeof run->momentum_begin);

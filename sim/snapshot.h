@@ -10,7 +10,7 @@
 #include "run.h"
 #include <stdio.h>
 
-#define BRINK_SNAPSHOT_VERSION 3
+#define BRINK_SNAPSHOT_VERSION 4
 
 /** What a run was asked for and how far its output has got. */
 typedef struct brink_plan {

@@ -5,6 +5,7 @@
 #include "study_findings.h"
 #include "study_jobs.h"
 #include "study_question.h"
+#include "study_tiers.h"
 #include "study_words.h"
 #include <errno.h>
 #include <inttypes.h>
@@ -119,14 +120,29 @@ static void write_origin(brink_report *r, const study *s)
                               "3 (2016).");
 }
 
+// After the trials, when the machine has nothing else to do.
+static void compare_tiers(brink_report *r, const brink_case *c)
+{
+    const uint64_t enough = 2000000; // for a figure or two, in some seconds
+    brink_tier_trial trial[BRINK_TIERS];
+    if (brink_tiers_try(&c->scene, c->path,
+                        c->events < enough ? c->events : enough, trial) == 0)
+        brink_tiers_tell(r, trial);
+    else
+        fprintf(stderr, "brink study: %s: the tiers were not compared\n",
+                c->name);
+}
+
 static int write_page(const study *s)
 {
     brink_report r;
     brink_report_open(&r, s->out, "Which side of the step?");
     brink_report_heading(&r, 1, "Which side of the step?");
     brink_question_pose(&r);
-    for (int k = 0; k < s->count; k++)
+    for (int k = 0; k < s->count; k++) {
         brink_findings_tell(&r, &s->cases[k]);
+        compare_tiers(&r, &s->cases[k]);
+    }
     write_origin(&r, s);
     return brink_report_close(&r, stderr);
 }

@@ -23,6 +23,13 @@ typedef double core(const double r[3], double m1, double m2, double v1[3],
                     double v2[3]);
 typedef int rim(const double r[3], double m1, double m2, double v1[3],
                 double v2[3]);
+typedef int step_balanced(const double r[3], double m1, double m2, double rise,
+                          enum brink_direction way, double v1[3], double v2[3],
+                          double *virial, double *owed);
+typedef double core_balanced(const double r[3], double m1, double m2,
+                             double v1[3], double v2[3], double *owed);
+typedef int rim_balanced(const double r[3], double m1, double m2, double v1[3],
+                         double v2[3], double *owed);
 typedef void times(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
@@ -41,6 +48,9 @@ PATHS_OF(wall_time, brink_halfspace_time)
 PATHS_OF(step, brink_step_impulse)
 PATHS_OF(core, brink_core_impulse)
 PATHS_OF(rim, brink_rim_impulse)
+PATHS_OF(step_balanced, brink_step_impulse_balanced)
+PATHS_OF(core_balanced, brink_core_impulse_balanced)
+PATHS_OF(rim_balanced, brink_rim_impulse_balanced)
 PATHS_OF(times, brink_intersection_times)
 PATHS_OF(times, brink_intersection_times_fast)
 PATHS_OF(times, brink_disjoint_times)
@@ -155,6 +165,26 @@ static void impulses(int path, const double r[3], double m1, double m2,
     y[14] = v4[0];
 }
 
+/** The same, with an account of energy. */
+static void balanced_impulses(int path, const double r[3], double m1, double m2,
+                              double rise, double y[15])
+{
+    step_balanced *const at_step[] = PATHS(brink_step_impulse_balanced);
+    core_balanced *const at_core[] = PATHS(brink_core_impulse_balanced);
+    rim_balanced *const at_rim[] = PATHS(brink_rim_impulse_balanced);
+    double *v1 = y, *v2 = y + 3, v3[3], v4[3];
+    memcpy(v3, v1, sizeof v3);
+    memcpy(v4, v2, sizeof v4);
+    const enum brink_direction way = rise > 0 ? BRINK_INWARD : BRINK_OUTWARD;
+    y[14] = 0x1p-52 * rise;
+    y[6] = at_step[path](r, m1, m2, rise, way, v1, v2, &y[7], &y[14]);
+    y[13] = y[14];
+    y[8] = at_rim[path](r, m1, m2, v1, v2, &y[14]);
+    y[9] = at_core[path](r, m1, m2, v3, v4, &y[13]);
+    for (int k = 0; k < 3; k++)
+        y[10 + k] = v3[k] - v4[k];
+}
+
 START_TEST(impulses_are_the_same_on_every_path)
 {
     static void (*const make[])(stream *, pair_case *) = {
@@ -167,11 +197,14 @@ START_TEST(impulses_are_the_same_on_every_path)
             const double m1 = stream_real(&s, 1, 2);
             const double m2 = fabs(stream_scaled(&s, -30, 30));
             const double rise = stream_real(&s, -1, 1);
-            double y[2][15] = {{p.v[0], p.v[1], p.v[2]},
+            double y[2][30] = {{p.v[0], p.v[1], p.v[2]},
                                {p.v[0], p.v[1], p.v[2]}};
-            impulses(0, p.r, m1, m2, rise, y[0]);
-            impulses(path, p.r, m1, m2, rise, y[1]);
-            for (int k = 0; k < 15; k++)
+            for (int k = 0; k < 2; k++) {
+                memcpy(y[k] + 15, y[k], 6 * sizeof y[k][0]);
+                impulses(k * path, p.r, m1, m2, rise, y[k]);
+                balanced_impulses(k * path, p.r, m1, m2, rise, y[k] + 15);
+            }
+            for (int k = 0; k < 30; k++)
                 if (!same(y[0][k], y[1][k]))
                     ck_abort_msg("path %d, case %d: %a %a %a  %a %a  %a %a %a  "
                                  "rise %a: %a and %a",

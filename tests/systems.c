@@ -84,6 +84,23 @@ void make_run(brink_run *run, const char *scene)
     ck_assert_int_eq(brink_run_create(run, &system, BRINK_TIER_PLAIN), 0);
 }
 
+void make_pair(brink_run *run, const brink_potential *potential,
+               const double r[3], const double v[3])
+{
+    const double box[3] = {64, 64, 64};
+    const brink_species species = {"A", 1, 1, 2};
+    brink_system s;
+    ck_assert_int_eq(
+        brink_system_create(&s, 3, box, 1.0, 2, 1, &species, potential), 0);
+    for (int a = 0; a < 3; a++) {
+        s.particle[0].x[a] = brink_system_fraction(&s, a, 32 + r[a]);
+        s.particle[1].x[a] = brink_system_fraction(&s, a, 32);
+        s.particle[0].v[a] = v[a] / 2;
+        s.particle[1].v[a] = -v[a] / 2;
+    }
+    ck_assert_int_eq(brink_run_create(run, &s, BRINK_TIER_PLAIN), 0);
+}
+
 void advance(brink_run *run, uint64_t events)
 {
     const enum brink_run_status status =
@@ -127,5 +144,5 @@ int same_state(const brink_run *a, const brink_run *b)
                   n * sizeof *a->calendar.entry) == 0 &&
            memcmp(&a->tally, &b->tally, sizeof a->tally) == 0 &&
            brink_instant_compare(a->now, b->now) == 0 && a->idle == b->idle &&
-           same_levels(a, b);
+           a->owed == b->owed && same_levels(a, b);
 }

@@ -11,6 +11,10 @@ void make_system(brink_system *system, const char *scene);
 /** The same, as a run before its first event. */
 void make_run(brink_run *run, const char *scene);
 
+/** Two particles of mass 1 in a box of 64, r and v apart. */
+void make_pair(brink_run *run, const brink_potential *potential,
+               const double r[3], const double v[3]);
+
 /** Advances to `events` in all; the test fails if the run stops for another
  * reason. */
 void advance(brink_run *run, uint64_t events);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+/* The account of energy: nothing is lost from it, and what can be paid is. */
+#include "impacts.h"
+#include <float.h>
+#include <gsl/gsl_math.h>
+
+/** What an impact leaves. */
+typedef struct aftermath {
+    double v1[3], v2[3], owed;
+    int crossed;
+} aftermath;
+
+typedef aftermath impulse(const impact *p, double owed);
+
+static aftermath step(const impact *p, double owed)
+{
+    aftermath a = {.owed = owed};
+    double virial;
+    memcpy(a.v1, p->v1, sizeof a.v1);
+    memcpy(a.v2, p->v2, sizeof a.v2);
+    a.crossed = brink_step_impulse_balanced(p->r, p->m1, p->m2, p->rise, p->way,
+                                            a.v1, a.v2, &virial, &a.owed);
+    return a;
+}
+
+static aftermath core(const impact *p, double owed)
+{
+    aftermath a = {.owed = owed};
+    memcpy(a.v1, p->v1, sizeof a.v1);
+    memcpy(a.v2, p->v2, sizeof a.v2);
+    brink_core_impulse_balanced(p->r, p->m1, p->m2, a.v1, a.v2, &a.owed);
+    return a;
+}
+
+static aftermath rim(const impact *p, double owed)
+{
+    aftermath a = {.owed = owed};
+    memcpy(a.v1, p->v1, sizeof a.v1);
+    memcpy(a.v2, p->v2, sizeof a.v2);
+    brink_rim_impulse_balanced(p->r, p->m1, p->m2, a.v1, a.v2, &a.owed);
+    return a;
+}
+
+/** The largest kinetic energy of either, before or after. */
+static double largest_energy(const impact *p, const aftermath *a)
+{
+    const double v1 = fmax(length_of(p->v1), length_of(a->v1));
+    const double v2 = fmax(length_of(p->v2), length_of(a->v2));
+    return fmax(p->m1 * v1 * v1, p->m2 * v2 * v2) / 2;
+}
+
+/** Energy and account after less those before, `rise` put back: exactly. */
+static double off_balance(const impact *p, const aftermath *a, double owed)
+{
+    mpfr_t sum;
+    mpfr_init2(sum, ORACLE_BITS);
+    mpfr_set_d(sum, a->owed, ORACLE_N);
+    mpfr_sub_d(sum, sum, owed, ORACLE_N);
+    if (a->crossed)
+        mpfr_add_d(sum, sum, p->rise, ORACLE_N);
+    oracle_add_energy(sum, 1, p->m1, a->v1);
+    oracle_add_energy(sum, 1, p->m2, a->v2);
+    oracle_add_energy(sum, -1, p->m1, p->v1);
+    oracle_add_energy(sum, -1, p->m2, p->v2);
+    const double off = fabs(mpfr_get_d(sum, ORACLE_N));
+    mpfr_clear(sum);
+    return off;
+}
+
+/** What may be owed: nothing, a rounding's worth, much, more than there is. */
+static double random_debt(stream *s, const impact *p)
+{
+    const double energy = (p->m1 * gsl_pow_2(length_of(p->v1)) +
+                           p->m2 * gsl_pow_2(length_of(p->v2)));
+    switch (stream_int(s, 0, 3)) {
+    case 0:
+        return 0;
+    case 1:
+        return stream_real(s, -2, 2) * DBL_EPSILON * energy;
+    default:
+        return stream_scaled(s, -70, 4) * energy;
+    }
+}
+
+static void keep_account(int i, const impact *p, impulse *f, double owed)
+{
+    const aftermath a = f(p, owed);
+    const double largest = largest_energy(p, &a);
+    const double bound = BRINK_IMPULSE_BALANCE * largest + 0x1p-49 * fabs(owed);
+    if (!(off_balance(p, &a, owed) <= bound))
+        stop("account", i, p, a.v1, a.v2);
+    if (a.crossed != f(p, 0).crossed)
+        stop("crossing for a debt", i, p, a.v1, a.v2);
+}
+
+START_TEST(nothing_is_lost_from_the_account)
+{
+    stream s = {SEED};
+    for (int i = 0; i < IMPACTS; i++) {
+        impact p;
+        random_impact(&s, &p);
+        const double owed = random_debt(&s, &p);
+        keep_account(i, &p, step, owed);
+        keep_account(i, &p, core, owed);
+        p.way = p.way == BRINK_INWARD ? BRINK_OUTWARD : BRINK_INWARD;
+        keep_account(i, &p, step, owed);
+    }
+}
+END_TEST
+START_TEST(nothing_is_lost_on_the_rim)
+{
+    stream s = {SEED};
+    for (int i = 0; i < IMPACTS; i++) {
+        impact p;
+        pair_case on_rim;
+        random_impact(&s, &p);
+        family_rim(&s, &on_rim);
+        memcpy(p.r, on_rim.r, sizeof p.r);
+        for (int k = 0; k < 3; k++)
+            p.v1[k] = p.v2[k] + on_rim.v[k];
+        keep_account(i, &p, rim, random_debt(&s, &p));
+    }
+}
+END_TEST
+
+// What is left on the account when something was paid is what the last rounding
+// took: half an ulp of each of six components, times the momentum.
+START_TEST(what_can_be_paid_is)
+{
+    stream s = {SEED};
+    int paid = 0;
+    for (int i = 0; i < IMPACTS; i++) {
+        impact p;
+        random_impact(&s, &p);
+        p.way = BRINK_INWARD;
+        double b = 0, rr = 0;
+        for (int k = 0; k < 3; k++) {
+            b += p.r[k] * (p.v1[k] - p.v2[k]);
+            rr += p.r[k] * p.r[k];
+        }
+        const double mu = p.m1 / (p.m1 + p.m2) * p.m2;
+        const double radial = mu * b * b / (2 * rr);
+        const double owed =
+            stream_real(&s, -1, 1) * 0x1p-21 * radial; // less than 2^-20
+        const aftermath a = core(&p, owed);
+        if (b >= 0) { // going apart: nothing happens, and nothing is paid
+            ck_assert(a.owed == owed);
+            continue;
+        }
+        paid++;
+        if (!(fabs(a.owed) <= 6 * DBL_EPSILON * largest_energy(&p, &a)))
+            stop("not paid", i, &p, a.v1, a.v2);
+        // Of more than there is to give and take nothing is paid.
+        const double much = 0x1p-19 * radial;
+        const aftermath none = core(&p, much), plain = core(&p, 0);
+        if (!(fabs(none.owed - much) <=
+              6 * DBL_EPSILON * largest_energy(&p, &none)) ||
+            memcmp(none.v1, plain.v1, sizeof none.v1) != 0 ||
+            memcmp(none.v2, plain.v2, sizeof none.v2) != 0)
+            stop("paid too much", i, &p, none.v1, none.v2);
+    }
+    ck_assert_int_gt(paid, IMPACTS / 4);
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("impulse, balance", 600, nothing_is_lost_from_the_account,
+                     nothing_is_lost_on_the_rim, what_can_be_paid_is);
+}
