@@ -23,6 +23,8 @@ static void ask_particle(const brink_run *run, uint32_t i)
 {
     const brink_neighbours *n = &run->neighbours;
     PREFETCH(&run->system.particle[i]);
+    PREFETCH(&run->states.links.list[i]);
+    PREFETCH(&run->cells.cell[i]);
     ask_slot(&run->calendar, i);
     if (n->radius > 0) {
         PREFETCH(&n->home[i]);
@@ -41,6 +43,19 @@ static void ask_neighbours(const brink_run *run, uint32_t i)
     const uint32_t count = brink_neighbours_count(&run->neighbours, i);
     for (uint32_t k = 0; k < count; k++)
         PREFETCH(&run->system.particle[who[k]]);
+}
+
+// The rows of cells around i's; beyond the box's edges others, to no harm.
+static void ask_cells(const brink_run *run, uint32_t i)
+{
+    const brink_cells *c = &run->cells;
+    const uint32_t nx = (uint32_t)c->count[0], ny = (uint32_t)c->count[1];
+    const uint32_t cell = c->cell[i], below = cell - nx * (ny + 1);
+    for (uint32_t z = 0; z < 3; z++)
+        for (uint32_t y = 0; y < 3; y++) {
+            const uint32_t at = below + nx * (y + ny * z);
+            PREFETCH(&c->bucket[at < c->total ? at : cell]);
+        }
 }
 
 // Asks something for those that the slots of a day are about.
@@ -75,5 +90,7 @@ void brink_look_ahead(brink_run *run)
     if (run->neighbours.radius > 0) {
         for_day(run, 2, ask_list);
         for_day(run, 1, ask_neighbours);
+    } else {
+        for_day(run, 2, ask_cells);
     }
 }
