@@ -58,6 +58,7 @@
 #define brink_rim_impulse_balanced    BRINK_ON_PATH(brink_rim_impulse_balanced)
 #define brink_rim_impulse             BRINK_ON_PATH(brink_rim_impulse)
 #define brink_predict                 BRINK_ON_PATH(brink_predict)
+#define brink_cells_stay              BRINK_ON_PATH(brink_cells_stay)
 #endif
 
 #ifdef BRINK_DISPATCH

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cells.h"
+#include "cells_block.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,11 @@ static void choose(brink_cells *c, const brink_system *s, double reach)
         const int there = a < s->dimensions;
         c->count[a] = !there ? 1 : fit < 5 ? 3 : (int)fmin(fit, 0x1p20);
         c->images[a] = there && fit < 5 ? 3 : 1;
+        c->adjacent[a] = c->count[a] > 1;
+        c->always[a] = c->images[a] > 1;
     }
+    for (int a = 0; a < 2; a++) // which every system has
+        c->inverse[a] = UINT64_MAX / (unsigned)c->count[a] + 1;
     c->total = (uint32_t)(c->count[0] * c->count[1] * c->count[2]);
 }
 
@@ -42,8 +46,7 @@ uint32_t brink_cells_at(const brink_cells *c, const uint64_t x[3])
     for (int a = 0; a < 3; a++)
         index[a] =
             (uint32_t)((x[a] * (unsigned __int128)(unsigned)c->count[a]) >> 64);
-    return index[0] +
-           (uint32_t)c->count[0] * (index[1] + (uint32_t)c->count[1] * index[2]);
+    return brink_cells_join(c, index);
 }
 
 // The last bucket of a cell, which is where there is room or nobody comes after.
@@ -100,51 +103,6 @@ static void leave(brink_cells *c, uint32_t i)
     c->free = at;
 }
 
-static void split(const brink_cells *c, uint32_t cell, int index[3])
-{
-    const uint32_t nx = (uint32_t)c->count[0], ny = (uint32_t)c->count[1];
-    index[0] = (int)(cell % nx);
-    index[1] = (int)(cell / nx % ny);
-    index[2] = (int)(cell / nx / ny);
-}
-
-static uint32_t join(const brink_cells *c, const int index[3])
-{
-    // NOLINTNEXTLINE(clang-analyzer-core.*): all three are filled in
-    const int row = index[1] + c->count[1] * index[2];
-    return (uint32_t)(index[0] + c->count[0] * row);
-}
-
-// The cells of the block low..high around the one at `index`, wrapped round.
-static int block(const brink_cells *c, const int index[3], const int low[3],
-                 const int high[3], uint32_t out[27])
-{
-    int side[3][3], n = 0;
-    const int nx = c->count[0], ny = c->count[1];
-    for (int a = 0; a < 3; a++)
-        for (int d = low[a]; d <= high[a]; d++) {
-            const int k = index[a] + d;
-            side[a][d - low[a]] = k < 0              ? k + c->count[a]
-                                  : k >= c->count[a] ? k - c->count[a]
-                                                     : k;
-        }
-    for (int z = 0; z <= high[2] - low[2]; z++)
-        for (int y = 0; y <= high[1] - low[1]; y++) {
-            const int row = nx * (side[1][y] + ny * side[2][z]);
-            for (int x = 0; x <= high[0] - low[0]; x++)
-                out[n++] = (uint32_t)(row + side[0][x]);
-        }
-    return n;
-}
-
-static void reach(const brink_cells *c, int low[3], int high[3])
-{
-    for (int a = 0; a < 3; a++) {
-        high[a] = c->count[a] > 1;
-        low[a] = -high[a];
-    }
-}
-
 int brink_cells_create(brink_cells *c, const brink_system *system, double reach)
 {
     memset(c, 0, sizeof *c);
@@ -198,79 +156,24 @@ void brink_cells_place(brink_cells *c, uint32_t i, uint32_t cell)
     enter(c, i, cell);
 }
 
-// A cell's walls on one axis, and what a particle in it has to do with them.
-typedef struct gap {
-    double below, above; // how far the particle is from them
-    double v;
-} gap;
-
-// When a particle meets the wall ahead [S16 eq. 4], from its own time on.  Gap
-// and speed have one sign, or it is beyond the wall by a rounding.
-static double time_to_wall(gap g)
-{
-    if (g.v == 0)
-        return (double)INFINITY;
-    return (g.v > 0 ? g.above : -g.below) / g.v;
-}
-
-// Which walls come within reach some time from dt to dt_then; both do of a
-// particle that rests for good, whose 0 * inf is no number.
-static void look(gap g, double dt, double dt_then, double reach, int *low,
-                 int *high)
-{
-    const double from = g.v * dt, to = g.v * dt_then;
-    *low = -!((g.below + from > reach) & (g.below + to > reach));
-    *high = !((g.above - from > reach) & (g.above - to > reach));
-}
-
-void brink_cells_stay(const brink_cells *c, const brink_system *system,
-                      uint32_t i, double offset, brink_stay *stay)
-{
-    const brink_particle *p = &system->particle[i];
-    int low[3], high[3], index[3], first = 0;
-    gap gaps[3];
-    double soonest = (double)INFINITY;
-    reach(c, low, high);
-    split(c, c->cell[i], index);
-    for (int a = 0; a < system->dimensions; a++) {
-        // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
-        const uint64_t *wall = &c->wall[a][index[a]];
-        const double unit = system->unit[a];
-        gaps[a] = (gap){(double)(int64_t)(p->x[a] - wall[0]) * unit,
-                        (double)(int64_t)(wall[1] - p->x[a]) * unit, p->v[a]};
-        const double t = time_to_wall(gaps[a]);
-        // Chosen, not branched to: no processor could foresee which.
-        first = t < soonest ? a : first;
-        soonest = t < soonest ? t : soonest;
-    }
-    const double until = soonest + p->since;
-    stay->until = until > offset ? until : offset;
-    // NOLINTNEXTLINE(clang-analyzer-core.*): at least two dimensions
-    stay->crossing = (brink_crossing){first, gaps[first].v > 0 ? 1 : -1};
-    for (int a = 0; a < system->dimensions; a++)
-        if (c->images[a] == 1)
-            look(gaps[a], offset - p->since, stay->until - p->since, c->reach,
-                 &low[a], &high[a]);
-    stay->cells = block(c, index, low, high, stay->near);
-}
-
 int brink_cells_cross(brink_cells *c, uint32_t i, brink_crossing crossing)
 {
-    int index[3];
-    split(c, c->cell[i], index);
-    if (!brink_cell_next(index[crossing.axis], c->count[crossing.axis],
-                         crossing.way, 1, &index[crossing.axis]))
+    uint32_t index[3];
+    int next;
+    brink_cells_split(c, c->cell[i], index);
+    if (!brink_cell_next((int)index[crossing.axis], c->count[crossing.axis],
+                         crossing.way, 1, &next))
         return 0;
-    brink_cells_place(c, i, join(c, index));
+    index[crossing.axis] = (uint32_t)next;
+    brink_cells_place(c, i, brink_cells_join(c, index));
     return 1;
 }
 
 int brink_cells_around(const brink_cells *c, uint32_t cell, uint32_t around[27])
 {
-    int low[3], high[3], index[3];
-    reach(c, low, high);
-    split(c, cell, index);
-    return block(c, index, low, high, around);
+    uint32_t index[3];
+    brink_cells_split(c, cell, index);
+    return brink_cells_block(c, index, c->adjacent, c->adjacent, around);
 }
 
 int brink_tour_further(const brink_cells *c, brink_tour *tour,

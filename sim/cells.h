@@ -29,10 +29,13 @@ typedef struct brink_bucket {
 } brink_bucket;
 
 typedef struct brink_cells {
-    int count[3];       // cells along each axis
-    int images[3];      // images to look in: 1 or 3
-    uint32_t particles; // number of them
-    uint32_t total;     // cells: count[0] * count[1] * count[2]
+    int count[3];  // cells along each axis
+    int images[3]; // images to look in: 1 or 3
+    // per axis, 0 or 1: are there cells beside a cell, and are they always near
+    uint32_t adjacent[3], always[3];
+    uint64_t inverse[2]; // ceil(2^64 / count[])
+    uint32_t particles;  // number of them
+    uint32_t total;      // cells: count[0] * count[1] * count[2]
     uint64_t *wall[3]; // per axis: the lower wall of each cell, and the box's end
     brink_bucket *bucket; // one a cell, then those for the rest
     uint32_t free;        // the first of those unused, chained by `fill`
