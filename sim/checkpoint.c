@@ -145,7 +145,7 @@ int brink_checkpoint_save(const char *dir, const brink_run *run,
         const int error = errno;
         fprintf(errors,
                 "%s: the checkpoint could not be written: %s\n"
-                "  earlier ones are untouched: %s and `brink resume` it, or use "
+                "  earlier ones are untouched: %s and go on from there, or use "
                 "another --out\n",
                 dir, strerror(error), brink_checkpoint_remedy(error));
         if (file)

@@ -55,9 +55,10 @@ brink_growth brink_growth_of(const brink_trial *t)
 static const char growth_caption[] =
     "How far the energy is off with logical states, now as the states have it: "
     "kinetic energy and counted levels, summed to some thirty digits, for in "
-    "sixteen the whole sum would round away what a single event loses. The line "
-    "is a random walk of the pace that was seen, the square root of the number "
-    "of events.";
+    "sixteen the whole sum would round away what a single event loses. What the "
+    "roundings of an event take is put down and paid at the next one, so nothing "
+    "adds up; the line is how far a random walk with such steps would come, with "
+    "the square root of the number of events.";
 
 static char *draw(const brink_case *c, const brink_growth *g)
 {
@@ -91,7 +92,8 @@ static void tell_exponent(brink_report *r, const brink_growth *g)
         r,
         "Between two sample points it gains or loses what goes with the number "
         "of events there to the power of %.3f ± %.3f, fitted by least squares to "
-        "logarithms; of a random walk that is 1/2, of a steady drift 1.",
+        "logarithms; of a steady drift that is 1, of a random walk 1/2, of what "
+        "does not add up 0.",
         g->exponent, g->error);
 }
 

@@ -129,8 +129,8 @@ void brink_tiers_tell(brink_report *r, const brink_tier_trial trial[BRINK_TIERS]
 {
     static const char *const names[BRINK_TIERS] = {"fast", "plain", "cr"};
     static const char *const head[] = {
-        "tier",           "seconds",      "to fast", "contact error, rms",
-        "largest of all", "energy error", "clamped", "at one instant"};
+        "tier",    "contact error, rms", "largest of all", "energy error",
+        "clamped", "at one instant",     "seconds",        "to fast"};
     uint64_t most = 0;
     for (int k = 0; k < BRINK_TIERS; k++) {
         const uint64_t events = brink_tally_events(&trial[k].tally);
@@ -146,14 +146,14 @@ void brink_tiers_tell(brink_report *r, const brink_tier_trial trial[BRINK_TIERS]
         const brink_tier_trial *t = &trial[k];
         brink_report_cell(r, "%s%s", names[k],
                           t->status == BRINK_RUN_REACHED ? "" : " (stopped)");
-        brink_report_cell(r, "%.3g", t->seconds);
-        brink_report_cell(r, "%.2f", t->seconds / trial[0].seconds);
         brink_report_cell(r, "%s", brink_words_scientific(t->contact_rms).text);
         brink_report_cell(
             r, "%s", brink_words_scientific(t->tally.contact_error_max).text);
         brink_report_cell(r, "%s", brink_words_scientific(t->energy_error).text);
         brink_report_cell(r, "%s", brink_words_grouped(t->tally.clamped).text);
         brink_report_cell(r, "%s", brink_words_grouped(t->tally.zero_time).text);
+        brink_report_cell(r, "%.3g", t->seconds);
+        brink_report_cell(r, "%.2f", t->seconds / trial[0].seconds);
     }
     brink_report_table_end(r);
 }

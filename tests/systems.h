@@ -19,8 +19,8 @@ void make_pair(brink_run *run, const brink_potential *potential,
  * reason. */
 void advance(brink_run *run, uint64_t events);
 
-/** Bytes in which two runs differ: every bit of the state that a checkpoint
- * holds. */
+/** 1 where two runs agree in every bit of the state that a checkpoint holds, 0
+ * where they do not. */
 int same_state(const brink_run *a, const brink_run *b);
 
 extern const char hard_spheres[], square_well[], square_shoulder[], three_steps[],
