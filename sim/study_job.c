@@ -32,12 +32,14 @@ static const char *name_of(const brink_job *job)
 __attribute__((format(printf, 2, 3))) static void tell(const brink_job *job,
                                                        const char *format, ...)
 {
+    // In one piece: others tell of theirs at the same time.
+    char what[PATH_ROOM];
     va_list arguments;
-    fprintf(stderr, "brink study: %s, %s: ", job->of->name, name_of(job));
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+    fprintf(stderr, "brink study: %s, %s: %s\n", job->of->name, name_of(job),
+            what);
 }
 
 static int path_of(const brink_job *job, const char *ending, char *path)
