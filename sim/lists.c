@@ -3,124 +3,78 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NO_BLOCK UINT32_MAX
-
-// Sizes of blocks: 4, 5, 6, 7, then 8, 10, 12, 14 and so on, four to an octave,
-// so that a quarter of a block at most is room.
-static uint32_t room_of(int size)
-{
-    return (UINT32_C(4) + (uint32_t)size % 4) << (size / 4);
-}
-
-// The smallest size for so many items; -1 for none.
-static int size_for(uint32_t count)
-{
-    int size = -1;
-    if (count > 8) // where to begin: the power of two not above
-        size = 4 * (31 - __builtin_clz(count) - 2) - 1;
-    while (count > 0 && (size < 0 || room_of(size) < count))
-        size++;
-    return size;
-}
-
-static char *at(const brink_lists *l, uint32_t item)
-{
-    return l->pool + (size_t)item * l->size;
-}
-
-static uint32_t take_block(brink_lists *l, int size)
-{
-    uint32_t first = l->free[size];
-    if (first != NO_BLOCK) {
-        memcpy(&l->free[size], at(l, first), sizeof l->free[size]);
-    } else {
-        first = l->touched;
-        l->touched += room_of(size);
-    }
-    return first;
-}
-
-static void free_block(brink_lists *l, uint32_t first, int size)
-{
-    memcpy(at(l, first), &l->free[size], sizeof l->free[size]);
-    l->free[size] = first;
-}
-
-// Makes the pool a quarter larger, or as large as needed.  0, -1 no memory.
-static int grow(brink_lists *l, uint64_t needed)
-{
-    const uint64_t more = l->capacity + (uint64_t)l->capacity / 4;
-    uint64_t capacity = more < NO_BLOCK ? more : NO_BLOCK - 1;
-    capacity = capacity < needed ? needed : capacity;
-    if (capacity >= NO_BLOCK)
-        return -1;
-    char *grown = realloc(l->pool, capacity * l->size);
-    if (!grown)
-        return -1;
-    l->pool = grown;
-    l->capacity = (uint32_t)capacity;
-    return 0;
-}
-
 int brink_lists_create(brink_lists *l, uint32_t lists, size_t size)
 {
-    memset(l, 0, sizeof *l);
-    memset(l->free, 0xff, sizeof l->free);
-    l->lists = lists;
-    l->size = (uint32_t)size;
+    *l = (brink_lists){.lists = lists, .size = (uint32_t)size};
     l->list = calloc(lists, sizeof *l->list);
-    if (l->list && grow(l, 16) == 0)
-        return 0;
-    brink_lists_destroy(l);
-    return -1;
+    return l->list ? 0 : -1;
 }
 
 void brink_lists_destroy(brink_lists *l)
 {
+    for (uint32_t i = 0; i < l->lists && l->list; i++)
+        free(l->list[i].item);
     free(l->list);
-    free(l->pool);
     memset(l, 0, sizeof *l);
+}
+
+// Gives a list memory for so many items, not fewer than it has.  0; -1 no memory,
+// and it keeps what it had.
+static int resize(const brink_lists *l, brink_list *list, uint32_t room)
+{
+    void *moved = realloc(list->item, (size_t)room * l->size);
+    if (!moved)
+        return -1;
+    list->item = moved;
+    list->room = room;
+    return 0;
+}
+
+// An eighth more than is needed, as lists become longer and shorter all the
+// time, and as many as fill what malloc gives out: pieces of 16 bytes, of which 8
+// are its own.
+static uint32_t room_for(const brink_lists *l, uint32_t count)
+{
+    const uint64_t bytes = (count + (uint64_t)count / 8) * l->size;
+    const uint64_t pieces = (bytes + 8 + 15) / 16;
+    const uint64_t room = (pieces * 16 - 8) / l->size;
+    return room < UINT32_MAX ? (uint32_t)room : UINT32_MAX;
+}
+
+static int make_room(const brink_lists *l, uint32_t i)
+{
+    brink_list *list = &l->list[i];
+    return list->count < list->room
+               ? 0
+               : resize(l, list, room_for(l, list->count + 1));
 }
 
 int brink_lists_make_room(brink_lists *l, uint32_t i, uint32_t j)
 {
-    const uint32_t ni = l->list[i].count, nj = l->list[j].count;
-    const int size = size_for((ni > nj ? ni : nj) + 1);
-    const uint64_t needed = l->touched + 2 * (uint64_t)room_of(size);
-    return needed <= l->capacity ? 0 : grow(l, needed);
+    return make_room(l, i) || make_room(l, j) ? -1 : 0;
 }
 
-// Moves a list to a block for so many items, one more or one fewer than it has,
-// if its own is full or too large for that.
-static void fit(brink_lists *l, uint32_t i, uint32_t count)
+static void *item(const brink_lists *l, uint32_t i, uint32_t k)
 {
-    brink_list *list = &l->list[i];
-    const int from = size_for(list->count), to = size_for(count);
-    const uint32_t old = list->first;
-    if (from == to)
-        return;
-    if (to >= 0) {
-        list->first = take_block(l, to);
-        const uint32_t kept = list->count < count ? list->count : count;
-        memcpy(at(l, list->first), at(l, old), (size_t)kept * l->size);
-    }
-    if (from >= 0)
-        free_block(l, old, from);
+    return (char *)l->list[i].item + (size_t)k * l->size;
 }
 
 void *brink_lists_add(brink_lists *l, uint32_t i)
 {
-    fit(l, i, l->list[i].count + 1);
     l->used++;
-    return brink_lists_item(l, i, l->list[i].count++);
+    return item(l, i, l->list[i].count++);
 }
 
 void brink_lists_remove(brink_lists *l, uint32_t i, uint32_t k)
 {
     brink_list *list = &l->list[i];
-    memmove(brink_lists_item(l, i, k), brink_lists_item(l, i, list->count - 1),
-            l->size);
-    fit(l, i, list->count - 1);
     list->count--;
     l->used--;
+    memmove(item(l, i, k), item(l, i, list->count), l->size);
+    if (list->count == 0) {
+        free(list->item);
+        *list = (brink_list){0};
+    } else if (list->count < list->room / 2) {
+        resize(l, list, room_for(l, list->count)); // else it keeps what it has
+    }
 }

@@ -5,28 +5,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A quarter of the interaction's range, and lists where three particles and more
-// are in a sphere of that range: between a third and a half of the pairs of the
-// lists, or of the adjacent cells, are then in range.  Smaller balls are left too
-// often, larger ones list too many, but a fifth to two fifths are nearly as good;
-// where it is less crowded, particles fly so far that they leave any ball too
-// often.  Seen with `bench simulator`: hard spheres, packing 0.15 to 0.5, and
-// square wells of 1.5, density 0.2 to 0.7.
+// A quarter of the distance between particles, and lists where three of them and
+// more are in a sphere of the interaction's range.  Smaller balls are left too
+// often, larger ones list too many, but a fifth is nearly as good; where it is
+// less crowded, particles fly so far that they leave any ball too often.  Seen
+// with hard spheres, packing 0.15 to 0.5, and square wells of 1.5, density 0.2 to
+// 0.7.
 #define RADIUS 0.25
 #define CROWD  3.0
 
 double brink_neighbours_radius(const brink_system *system)
 {
     const double pi = acos(-1.0), range = system->range;
-    const double sphere = system->dimensions == 2
-                              ? pi * range * range
-                              : 4 * pi / 3 * range * range * range;
-    const double near = (1 + 2 * RADIUS) * range * BRINK_SLACK;
+    const int is_plane = system->dimensions == 2;
+    const double volume = brink_system_volume(system) / system->count;
+    const double apart = is_plane ? sqrt(volume) : cbrt(volume);
+    const double sphere =
+        is_plane ? pi * range * range : 4 * pi / 3 * range * range * range;
+    // In 64ths of the range, so that nothing hangs on a rounding of cbrt.
+    const double radius = rint(RADIUS * apart / range * 64) / 64 * range;
+    const double near = (range + 2 * radius) * BRINK_SLACK;
     for (int a = 0; a < system->dimensions; a++)
         if (system->length[a] < 5 * near)
             return 0;
-    const double density = system->count / brink_system_volume(system);
-    return density * sphere < CROWD ? 0 : RADIUS * range;
+    return sphere < CROWD * volume ? 0 : radius;
 }
 
 static void centre(const brink_home *home, uint64_t x[3])
@@ -130,18 +132,15 @@ static int make_neighbours(brink_neighbours *n, uint32_t i, uint32_t k)
 }
 
 // The one at place m of i's list is its neighbour no more.
-static int part_from(brink_neighbours *n, uint32_t i, uint32_t m)
+static void part_from(brink_neighbours *n, uint32_t i, uint32_t m)
 {
     const uint32_t k = brink_neighbours_of(n, i)[m];
     const uint32_t *who = brink_neighbours_of(n, k);
     uint32_t place = 0;
     while (who[place] != i)
         place++;
-    if (brink_lists_make_room(&n->who, i, k))
-        return -1;
     brink_lists_remove(&n->who, i, m);
     brink_lists_remove(&n->who, k, place);
-    return 0;
 }
 
 int brink_neighbours_fill(brink_neighbours *n, const brink_cells *cells,
@@ -221,8 +220,8 @@ int brink_neighbours_depart(brink_neighbours *n, brink_cells *cells,
     // Backwards, so that whoever takes the place of one that goes has been seen.
     for (uint32_t m = before; m-- > 0;) {
         const uint32_t k = brink_neighbours_of(n, i)[m];
-        if (n->mark[k] == BEFORE && part_from(n, i, m))
-            return -1;
+        if (n->mark[k] == BEFORE)
+            part_from(n, i, m);
         n->mark[k] = NO_NEIGHBOUR;
     }
     return 0;

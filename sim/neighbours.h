@@ -78,6 +78,6 @@ static inline uint32_t brink_neighbours_count(const brink_neighbours *n,
 static inline const uint32_t *brink_neighbours_of(const brink_neighbours *n,
                                                   uint32_t i)
 {
-    return brink_lists_item(&n->who, i, 0);
+    return brink_lists_items(&n->who, i);
 }
 #endif

@@ -56,7 +56,7 @@ static void write_half(brink_states *s, uint32_t i, uint32_t j, int level)
     else if (level == 0)
         brink_lists_remove(&s->links, i, k);
     else
-        ((brink_link *)brink_lists_item(&s->links, i, k))->level = level;
+        ((brink_link *)brink_lists_items(&s->links, i))[k].level = level;
 }
 
 static int64_t *counter(const brink_states *s, const brink_system *system,
@@ -75,7 +75,7 @@ int brink_states_set(brink_states *s, const brink_system *system, uint32_t i,
     const int before = brink_states_level(s, i, j);
     if (level == before)
         return 0;
-    if (brink_lists_make_room(&s->links, i, j))
+    if (before == 0 && brink_lists_make_room(&s->links, i, j))
         return -1;
     write_half(s, i, j, level);
     write_half(s, j, i, level);

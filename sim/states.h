@@ -41,7 +41,7 @@ static inline uint32_t brink_states_partners(const brink_states *s, uint32_t i)
 static inline const brink_link *brink_states_links(const brink_states *s,
                                                    uint32_t i)
 {
-    return brink_lists_item(&s->links, i, 0);
+    return brink_lists_items(&s->links, i);
 }
 
 /** Sets a pair's level when a configuration is first made or loaded.  0, -1 no

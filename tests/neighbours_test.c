@@ -134,7 +134,9 @@ START_TEST(lists_are_kept_where_it_is_crowded_and_the_box_is_large_enough)
         brink_system_destroy(&s);
     }
     make_system(&s, crowded_mixture);
-    ck_assert_double_eq(brink_neighbours_radius(&s), 0.25 * 1.5);
+    // A quarter of the distance between particles, which is 1.461, the cube root
+    // of 12 * 11.5 * 11.3 / 500, in 64ths of 1.5.
+    ck_assert_double_eq(brink_neighbours_radius(&s), 16.0 / 64 * 1.5);
     brink_system_destroy(&s);
 }
 END_TEST

@@ -134,9 +134,9 @@ START_TEST(the_check_sees_particles_that_disagree)
     make(&s);
     ck_assert_int_eq(brink_states_create(&t, &s), 0);
     brink_states_set(&t, &s, 0, 1, 1);
-    ((brink_link *)brink_lists_item(&t.links, 0, 0))->level = 2;
+    ((brink_link *)brink_lists_items(&t.links, 0))->level = 2;
     ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
-    ((brink_link *)brink_lists_item(&t.links, 0, 0))->level = 1;
+    ((brink_link *)brink_lists_items(&t.links, 0))->level = 1;
     t.pairs[1]++;
     ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
