@@ -183,9 +183,9 @@ static int turn_year(brink_calendar *c)
 uint32_t brink_calendar_next(brink_calendar *c)
 {
     while (c->heap_count == 0) {
-        if (c->today + 1 < c->days) {
+        if (c->today + 1 < c->days)
             refile(c, ++c->today);
-        } else if (!turn_year(c))
+        else if (!turn_year(c))
             return c->slots;
     }
     return c->heap[0];

@@ -22,7 +22,7 @@ enum brink_entry_kind { // what a slot waits for; the order of simultaneous even
 
 typedef struct brink_entry {
     brink_instant when; // BRINK_NEVER: none
-    // pair: i < j; cell: the particle, and of a crossing axis * 2 + (way > 0)
+    // pair: i < j; cell: the particle, and of a crossing its number
     uint32_t i, j;
     uint32_t generation; // pair: the partner's, as the prediction knew it
     uint16_t kind;       // enum brink_entry_kind

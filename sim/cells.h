@@ -48,6 +48,17 @@ typedef struct brink_crossing {
     int axis, way;
 } brink_crossing;
 
+/** A crossing as one number, below 2 * dimensions, and back. */
+static inline uint32_t brink_crossing_number(brink_crossing c)
+{
+    return (uint32_t)(2 * c.axis + (c.way > 0));
+}
+
+static inline brink_crossing brink_crossing_of(uint32_t number)
+{
+    return (brink_crossing){(int)(number / 2), number % 2 ? 1 : -1};
+}
+
 /** What is told from rounded positions is told with this much to spare, so that a
  * pair in range is found wherever rounding has put it: 2^-20 against errors of
  * some 2^-50. */
@@ -99,6 +110,13 @@ typedef struct brink_tour {
 static inline brink_tour brink_tour_of(const uint32_t *cell, int cells)
 {
     return (brink_tour){cell, cells, 0};
+}
+
+/** A tour of the cells around particle i's, whose numbers go to `around`. */
+static inline brink_tour brink_tour_around(const brink_cells *c, uint32_t i,
+                                           uint32_t around[27])
+{
+    return brink_tour_of(around, brink_cells_around(c, c->cell[i], around));
 }
 
 /** The next of a cell with more of them than its own bucket holds. */

@@ -134,7 +134,7 @@ static void predict(brink_conventional *c, uint32_t i)
     const brink_entry crossing = {
         .when = brink_instant_after(system->year, new_year, stay.until),
         .i = i,
-        .j = (uint32_t)(2 * stay.crossing.axis + (stay.crossing.way > 0)),
+        .j = brink_crossing_number(stay.crossing),
         .kind = BRINK_ENTRY_CELL};
     brink_calendar_set(&house->calendar, system->count + i, &crossing);
     predict_in(&s, stay.near, stay.cells);
@@ -144,9 +144,8 @@ static void predict(brink_conventional *c, uint32_t i)
 static void cross_wall(brink_conventional *c, const brink_entry *entry)
 {
     const uint32_t i = entry->i;
-    const brink_crossing way = {(int)(entry->j / 2), entry->j % 2 ? 1 : -1};
     brink_system_advance(&c->house.system, i, entry->when.offset);
-    brink_cells_cross(&c->house.cells, i, way);
+    brink_cells_cross(&c->house.cells, i, brink_crossing_of(entry->j));
     c->house.tally.cell++;
     predict(c, i);
 }
@@ -329,8 +328,7 @@ double brink_energy_by_position(const brink_run *run)
     brink_sum_add(&sum, brink_system_kinetic_energy(s));
     for (uint32_t i = 0; i < s->count; i++) {
         uint32_t around[27], who[BRINK_HANDFUL];
-        brink_tour tour = brink_tour_of(
-            around, brink_cells_around(&run->cells, run->cells.cell[i], around));
+        brink_tour tour = brink_tour_around(&run->cells, i, around);
         for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
             for (int m = 0; m < n; m++) {
                 const uint32_t k = who[m];

@@ -122,6 +122,21 @@ static int keep_near(const brink_neighbours *n, const brink_system *system,
     return kept;
 }
 
+// The next of a tour whose homes are near i's; how many, 0 when all were seen.
+static int next_near(const brink_neighbours *n, const brink_cells *cells,
+                     const brink_system *system, uint32_t i, brink_tour *tour,
+                     uint32_t who[BRINK_HANDFUL])
+{
+    int near = 0;
+    for (int count;
+         near == 0 && (count = brink_tour_next(cells, tour, who)) > 0;) {
+        for (int m = 0; m < count; m++)
+            __builtin_prefetch(&n->home[who[m]]);
+        near = keep_near(n, system, i, who, count);
+    }
+    return near;
+}
+
 static int make_neighbours(brink_neighbours *n, uint32_t i, uint32_t k)
 {
     if (brink_lists_make_room(&n->who, i, k))
@@ -150,14 +165,11 @@ int brink_neighbours_fill(brink_neighbours *n, const brink_cells *cells,
         return 0;
     for (uint32_t i = 0; i < system->count; i++) {
         uint32_t around[27], who[BRINK_HANDFUL];
-        brink_tour tour = brink_tour_of(
-            around, brink_cells_around(cells, cells->cell[i], around));
-        for (int count; (count = brink_tour_next(cells, &tour, who)) > 0;) {
-            count = keep_near(n, system, i, who, count);
-            for (int m = 0; m < count; m++)
+        brink_tour tour = brink_tour_around(cells, i, around);
+        for (int near; (near = next_near(n, cells, system, i, &tour, who)) > 0;)
+            for (int m = 0; m < near; m++)
                 if (who[m] > i && make_neighbours(n, i, who[m]))
                     return -1;
-        }
     }
     return 0;
 }
@@ -191,20 +203,15 @@ static int add_new(brink_neighbours *n, const brink_cells *cells,
                    const brink_system *system, uint32_t i)
 {
     uint32_t around[27], who[BRINK_HANDFUL];
-    brink_tour tour =
-        brink_tour_of(around, brink_cells_around(cells, cells->cell[i], around));
-    for (int count; (count = brink_tour_next(cells, &tour, who)) > 0;) {
-        for (int m = 0; m < count; m++)
-            __builtin_prefetch(&n->home[who[m]]);
-        count = keep_near(n, system, i, who, count);
-        for (int m = 0; m < count; m++) {
+    brink_tour tour = brink_tour_around(cells, i, around);
+    for (int near; (near = next_near(n, cells, system, i, &tour, who)) > 0;)
+        for (int m = 0; m < near; m++) {
             const uint32_t k = who[m];
             if (n->mark[k] == BEFORE)
                 n->mark[k] = BEFORE_AND_NOW;
             else if (k != i && make_neighbours(n, i, k))
                 return -1;
         }
-    }
     return 0;
 }
 
@@ -242,12 +249,10 @@ static int has_its_neighbours(const brink_neighbours *n, const brink_cells *cell
 {
     uint32_t around[27], who[BRINK_HANDFUL], near = 0, listed = 0;
     const uint32_t *list = brink_neighbours_of(n, i);
-    brink_tour tour =
-        brink_tour_of(around, brink_cells_around(cells, cells->cell[i], around));
-    for (int count; (count = brink_tour_next(cells, &tour, who)) > 0;) {
-        count = keep_near(n, system, i, who, count);
-        near += (uint32_t)count;
-        for (int m = 0; m < count; m++)
+    brink_tour tour = brink_tour_around(cells, i, around);
+    for (int some; (some = next_near(n, cells, system, i, &tour, who)) > 0;) {
+        near += (uint32_t)some;
+        for (int m = 0; m < some; m++)
             for (uint32_t k = 0; k < brink_neighbours_count(n, i); k++)
                 listed += list[k] == who[m];
     }

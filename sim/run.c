@@ -11,7 +11,7 @@
 
 static enum brink_run_status cross_wall(brink_run *run, const brink_entry *entry)
 {
-    const brink_crossing crossing = {(int)(entry->j / 2), entry->j % 2 ? 1 : -1};
+    const brink_crossing crossing = brink_crossing_of(entry->j);
     return brink_cells_cross(&run->cells, entry->i, crossing) ? BRINK_RUN_REACHED
                                                               : BRINK_RUN_REFUSED;
 }
@@ -186,8 +186,7 @@ static int find_levels_of(brink_run *run, uint32_t i)
 {
     const brink_system *s = &run->system;
     uint32_t around[27], who[BRINK_HANDFUL];
-    brink_tour tour = brink_tour_of(
-        around, brink_cells_around(&run->cells, run->cells.cell[i], around));
+    brink_tour tour = brink_tour_around(&run->cells, i, around);
     for (int n; (n = brink_tour_next(&run->cells, &tour, who)) > 0;)
         for (int m = 0; m < n; m++) {
             const uint32_t k = who[m];

@@ -305,8 +305,7 @@ static void search_cells(search *s, brink_run *run, uint32_t i, double offset)
 {
     brink_stay stay;
     brink_cells_stay(&run->cells, &run->system, i, offset, &stay);
-    begin(s, run, i, offset, stay.until,
-          (uint32_t)(2 * stay.crossing.axis + (stay.crossing.way > 0)));
+    begin(s, run, i, offset, stay.until, brink_crossing_number(stay.crossing));
     add_from_cells(s, stay.near, stay.cells);
 }
 

@@ -6,20 +6,13 @@
 #include "session_files.h"
 #include "session_looks.h"
 #include "start.h"
+#include "wall.h"
 #include <inttypes.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
-
-static double wall_clock(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void show_progress(const brink_session *s, double rate)
 {
@@ -64,7 +57,7 @@ static const char *stop_reason(const brink_session *s,
 // heard, or as long as checkpoints are apart.
 static const char *drive(brink_session *s, enum brink_run_status *status)
 {
-    const double begin = wall_clock(), before = s->plan.wall_seconds;
+    const double begin = brink_wall_clock(), before = s->plan.wall_seconds;
     const double length = fmin(0.1, s->scene.checkpoint_every);
     const uint64_t events_before = brink_tally_events(&s->run.tally);
     double saved = begin;
@@ -76,7 +69,7 @@ static const char *drive(brink_session *s, enum brink_run_status *status)
         const int arrived = brink_tally_events(&s->run.tally) < events;
         if (arrived && brink_looks_take(s))
             return NULL;
-        const double now = wall_clock();
+        const double now = brink_wall_clock();
         s->plan.wall_seconds = before + (now - begin);
         const char *reason = stop_reason(s, *status, arrived, now - begin);
         const uint64_t done = brink_tally_events(&s->run.tally) - events_before;

@@ -4,6 +4,7 @@
 #include "session.h"
 #include "start.h"
 #include "study_progress.h"
+#include "wall.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -169,11 +170,11 @@ static void show(const work *w)
 static int carry_out(work *w)
 {
     brink_trial *t = &w->done.attempt.trial;
-    double last = brink_watch_clock(), saved = last;
+    double last = brink_wall_clock(), saved = last;
     while (t->outcome == BRINK_OUTCOME_NONE) {
         brink_attempt_advance(&w->done.attempt, BRINK_WATCH_EVENTS);
         write_samples(w);
-        const double now = brink_watch_clock();
+        const double now = brink_wall_clock();
         t->wall += now - last;
         last = now;
         if (t->outcome != BRINK_OUTCOME_NONE)

@@ -29,10 +29,3 @@ int brink_watch_wait(const brink_watch *w, double seconds)
     return sigtimedwait(&w->stops, NULL, &most) > 0 ||
            (w->parent != 0 && getppid() != w->parent);
 }
-
-double brink_watch_clock(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}

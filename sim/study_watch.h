@@ -27,7 +27,4 @@ int brink_watch_stopped(const brink_watch *w);
 
 /** The same after waiting for one so many seconds at most. */
 int brink_watch_wait(const brink_watch *w, double seconds);
-
-/** Seconds on the wall, from some moment on. */
-double brink_watch_clock(void);
 #endif

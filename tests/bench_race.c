@@ -172,7 +172,8 @@ int race_hold(race_result *result, const race_course *c, double seconds)
     const double n = race_particles(c);
     for (enum racer who = 0; who < RACERS; who++)
         settling[who] = race_go(&p, who, RACE_SETTLING * (uint64_t)n);
-    const double rate = RACE_SETTLING * n / fmax(settling[RACE_BRINK], 1e-6);
+    const double rate = RACE_SETTLING * n /
+                        fmax(settling[RACE_BRINK], 1e-6); // s: the clock's tick
     const uint64_t events = (uint64_t)fmax(n / 2, seconds * rate);
     *result = (race_result){.course = *c};
     count_crossings(&p, before);

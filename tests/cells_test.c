@@ -75,8 +75,7 @@ START_TEST(whoever_is_in_range_is_adjacent)
         ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
         for (uint32_t i = 0; i < s.count; i++) {
             uint8_t adjacent[500] = {0};
-            brink_tour tour =
-                brink_tour_of(around, brink_cells_around(&c, c.cell[i], around));
+            brink_tour tour = brink_tour_around(&c, i, around);
             for (int n; (n = brink_tour_next(&c, &tour, who)) > 0;)
                 for (int k = 0; k < n; k++)
                     ck_assert_msg(!adjacent[who[k]]++, "%u twice around %u",

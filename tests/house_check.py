@@ -25,7 +25,7 @@ FLOORS = """
     neighbours
     cells calendar states
     system
-    clock sum lists
+    clock sum lists wall
     event_time impulse
     step
     overlap quadratic

@@ -12,12 +12,18 @@ typedef struct aftermath {
 
 typedef aftermath impulse(const impact *p, double owed);
 
-static aftermath step(const impact *p, double owed)
+static aftermath before(const impact *p, double owed)
 {
     aftermath a = {.owed = owed};
-    double virial;
     memcpy(a.v1, p->v1, sizeof a.v1);
     memcpy(a.v2, p->v2, sizeof a.v2);
+    return a;
+}
+
+static aftermath step(const impact *p, double owed)
+{
+    aftermath a = before(p, owed);
+    double virial;
     a.crossed = brink_step_impulse_balanced(p->r, p->m1, p->m2, p->rise, p->way,
                                             a.v1, a.v2, &virial, &a.owed);
     return a;
@@ -25,18 +31,14 @@ static aftermath step(const impact *p, double owed)
 
 static aftermath core(const impact *p, double owed)
 {
-    aftermath a = {.owed = owed};
-    memcpy(a.v1, p->v1, sizeof a.v1);
-    memcpy(a.v2, p->v2, sizeof a.v2);
+    aftermath a = before(p, owed);
     brink_core_impulse_balanced(p->r, p->m1, p->m2, a.v1, a.v2, &a.owed);
     return a;
 }
 
 static aftermath rim(const impact *p, double owed)
 {
-    aftermath a = {.owed = owed};
-    memcpy(a.v1, p->v1, sizeof a.v1);
-    memcpy(a.v2, p->v2, sizeof a.v2);
+    aftermath a = before(p, owed);
     brink_rim_impulse_balanced(p->r, p->m1, p->m2, a.v1, a.v2, &a.owed);
     return a;
 }

@@ -8,6 +8,7 @@
 #include "random.h"
 #include "sessions.h"
 #include "suite.h"
+#include "wall.h"
 #include <inttypes.h>
 #include <signal.h>
 #include <time.h>
@@ -50,13 +51,6 @@ static int whole_session(const char *scene_path, const char *dir)
     return session_for((double)INFINITY, scene_path, dir);
 }
 
-static double seconds_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 // The run that is left alone; the seconds it takes.
 static double run_whole(void)
 {
@@ -64,9 +58,9 @@ static double run_whole(void)
     write_file(folder, "scene.yaml", scene);
     snprintf(path, sizeof path, "%s/scene.yaml", folder);
     snprintf(whole, sizeof whole, "%s/whole", folder);
-    const double begin = seconds_now();
+    const double begin = brink_wall_clock();
     ck_assert_int_eq(whole_session(path, whole), BRINK_EXIT_DONE);
-    return seconds_now() - begin;
+    return brink_wall_clock() - begin;
 }
 
 START_TEST(killed_at_random_moments_a_run_ends_with_the_same_bits)
