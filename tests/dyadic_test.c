@@ -62,7 +62,7 @@ static void random_number(stream *s, brink_dyadic *a, mpfr_t exact)
 
 START_TEST(sums_differences_and_products_are_exact)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t a, b, z, got;
     mpfr_inits2(BITS, a, b, z, got, (mpfr_ptr)0);
     for (int i = 0; i < CASES; i++) {
@@ -90,7 +90,7 @@ END_TEST
 
 START_TEST(rounding_is_to_nearest_even_at_any_magnitude)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t a;
     mpfr_init2(a, BITS);
     for (int i = 0; i < CASES; i++) {
@@ -119,7 +119,7 @@ END_TEST
 
 START_TEST(leading_parts_are_off_by_less_than_2_uu)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t a, z;
     mpfr_inits2(BITS, a, z, (mpfr_ptr)0);
     for (int i = 0; i < CASES; i++) {

@@ -118,7 +118,7 @@ START_TEST(batches_of_any_size_and_alignment_are_the_scalar_kernel)
 {
     static arrays a;
     static double right[TIERS][MOST + 8];
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     fill(&a, &s, &pair_families[_i]);
     for (int k = 0; k < TIERS; k++)
         one_by_one_all(&tiers[k], &a, right[k]);
@@ -164,7 +164,7 @@ START_TEST(the_times_may_be_written_over_any_of_the_inputs)
 {
     static arrays a, before;
     static double right[MOST + 8];
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int k = 0; k < TIERS; k++) {
         fill(&before, &s, &pair_families[_i]);
         one_by_one_all(&tiers[k], &before, right);

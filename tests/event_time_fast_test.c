@@ -178,7 +178,7 @@ static void keep(const char *family, int i, const pair_case *p)
 START_TEST(fast_times_put_the_pair_on_the_surface)
 {
     const pair_family *family = &pair_families[_i];
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     pair_case p;
     for (int i = 0; i < CASES_A_FAMILY; i++) {
         family->make(&s, &p);

@@ -29,7 +29,7 @@ static void keep_halfspace(const char *family, int i, const double r[3],
 START_TEST(a_plane_is_met_when_it_is)
 {
     static const double origin[3] = {0, 0, 0};
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < PAIR_FAMILIES * CASES_A_FAMILY / 2; i++) {
         pair_case p, q;
         const pair_family *family = &pair_families[i % PAIR_FAMILIES];
@@ -81,7 +81,7 @@ END_TEST
 // make, to two doubles.  Or to a little more, of which digits must be left.
 START_TEST(the_side_is_known_where_all_but_the_last_bits_cancel)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t f;
     mpfr_init2(f, ORACLE_BITS);
     for (int i = 0; i < 10 * CASES_A_FAMILY; i++) {

@@ -59,7 +59,7 @@ static void keep(const promise *its, const char *family, int i,
 START_TEST(every_promise_is_kept_on_every_family)
 {
     const pair_family *family = &pair_families[_i];
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     pair_case p;
     for (int i = 0; i < CASES_A_FAMILY; i++) {
         family->make(&s, &p);
@@ -115,7 +115,7 @@ END_TEST
 
 START_TEST(never_negative_and_never_not_a_number)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     pair_case p;
     for (int family = 0; family < PAIR_FAMILIES; family++)
         for (int i = 0; i < CASES_A_FAMILY; i++) {

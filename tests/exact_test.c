@@ -51,7 +51,7 @@ static void expect(const char *what, dd got, const mpfr_t exact, double bound,
 
 START_TEST(sums_of_two_doubles_are_exact)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
     for (int i = 0; i < CASES; i++) {
@@ -72,7 +72,7 @@ END_TEST
 
 START_TEST(products_of_two_doubles_are_exact)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
     for (int i = 0; i < CASES; i++) {
@@ -90,7 +90,7 @@ END_TEST
 
 START_TEST(double_doubles_keep_their_bounds)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t a, b, z;
     mpfr_inits2(ORACLE_BITS, a, b, z, (mpfr_ptr)0);
     for (int i = 0; i < CASES; i++) {
@@ -121,7 +121,7 @@ END_TEST
 START_TEST(what_is_told_is_the_nearest_double)
 {
     // If it is told, x.hi + x.lo moved by 2^-70 either way rounds to x.hi.
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     mpfr_t z, slack;
     mpfr_inits2(ORACLE_BITS, z, slack, (mpfr_ptr)0);
     int told = 0;

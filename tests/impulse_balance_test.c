@@ -97,7 +97,7 @@ static void keep_account(int i, const impact *p, impulse *f, double owed)
 
 START_TEST(nothing_is_lost_from_the_account)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < IMPACTS; i++) {
         impact p;
         random_impact(&s, &p);
@@ -111,7 +111,7 @@ START_TEST(nothing_is_lost_from_the_account)
 END_TEST
 START_TEST(nothing_is_lost_on_the_rim)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < IMPACTS; i++) {
         impact p;
         pair_case on_rim;
@@ -129,7 +129,7 @@ END_TEST
 // took: half an ulp of each of six components, times the momentum.
 START_TEST(what_can_be_paid_is)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     int paid = 0;
     for (int i = 0; i < IMPACTS; i++) {
         impact p;

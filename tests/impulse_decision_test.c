@@ -64,7 +64,7 @@ START_TEST(equality_is_decided_where_double_double_cannot)
     // m1 = 2 i (i + j), m2 = 2 j (i + j): mu = 2 i j, but not so in
     // double-double, where j / (i + j) comes first.  v = k r, so
     // mu b^2 / (2 r.r) = i j k^2 r.r.
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int c = 0; c < IMPACTS; c++) {
         double i = stream_int(&s, 1, 1 << 8), j = stream_int(&s, 1, 1 << 8);
         double m1 = 2 * i * (i + j), m2 = 2 * j * (i + j);

@@ -92,7 +92,7 @@ static void keep(int i, const impact *p)
 
 START_TEST(energy_momentum_and_decision_are_right)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < IMPACTS; i++) {
         impact p;
         random_impact(&s, &p);
@@ -123,7 +123,7 @@ END_TEST
 
 START_TEST(scaling_by_powers_of_two_changes_nothing_else)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < IMPACTS; i++) {
         impact p;
         random_impact(&s, &p);
@@ -177,7 +177,7 @@ END_TEST
 
 START_TEST(cores_reflect_elastically)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < IMPACTS; i++) {
         impact p;
         random_impact(&s, &p);

@@ -7,7 +7,7 @@ enum { CASES = 20000, SEED = 1 };
 
 START_TEST(each_lane_is_multiplied_and_added_with_one_rounding)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < CASES; i++) {
         double x[3][2];
         for (int k = 0; k < 6; k++)
@@ -49,7 +49,7 @@ static int is_told_in_lane(int lane, dd x, double *nearest)
 
 START_TEST(what_is_within_2_to_the_minus_82_of_a_midpoint_is_not_told)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < CASES; i++) {
         double side = stream_sign(&s), nearest;
         double x = i % 8 ? stream_real(&s, 1, 2) : 1; // below 1 an ulp is half
@@ -62,7 +62,7 @@ END_TEST
 
 START_TEST(what_is_2_to_the_minus_79_from_a_midpoint_is_told)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < CASES; i++) {
         double side = stream_sign(&s), beyond = stream_sign(&s), nearest;
         double x = i % 8 ? stream_real(&s, 1.5, 1.75) : 1;

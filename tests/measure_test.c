@@ -23,7 +23,7 @@ static real real_of(double x)
 // double and once more: 2^-52 of itself.
 START_TEST(errors_are_those_of_the_oracle)
 {
-    stream s = {1};
+    stream s = stream_of_seed(1);
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
     for (int i = 0; i < 20000; i++) {
@@ -128,7 +128,7 @@ START_TEST(a_sample_is_in_order_and_knows_its_worst)
     ck_assert(measure_quantile(&all, 0, 0.5) == all.error[0][499]);
 
     double x[3]; // the worst again, alone
-    stream random = {7};
+    stream random = stream_of_seed(7);
     for (int i = 0; i <= s[0].worst[0]; i++)
         problem_quadratic.make(0, &random, x);
     truth t;

@@ -45,7 +45,7 @@ START_TEST(a_level_holds_the_means_of_its_blocks)
     enum { N = 1000 };
     double x[N];
     brink_series s = {0};
-    stream random = {5};
+    stream random = stream_of_seed(5);
     for (int k = 0; k < N; k++) {
         x[k] = stream_normal(&random);
         brink_series_add(&s, x[k]);
@@ -74,7 +74,7 @@ static void chain(double a, int n, uint64_t seed)
 {
     const double expected = sqrt((1 + a) / (1 - a) / n);
     brink_series s = {0};
-    stream random = {seed};
+    stream random = stream_of_seed(seed);
     double x = stream_normal(&random);
     for (int k = 0; k < n; k++) {
         brink_series_add(&s, x);
@@ -105,7 +105,7 @@ END_TEST
 
 START_TEST(written_and_read_it_goes_on_as_if_nothing_had_been)
 {
-    stream random = {6};
+    stream random = stream_of_seed(6);
     for (int at = 0; at < 70; at++) {
         brink_series whole, half = {0};
         stream r = random;

@@ -65,7 +65,7 @@ START_TEST(overlaps_are_the_same_on_every_path)
 {
     const pair_family *family = &pair_families[_i];
     for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++) {
-        stream s = {SEED};
+        stream s = stream_of_seed(SEED);
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             pair_case p, q;
             double y[2][QUANTITIES];

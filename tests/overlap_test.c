@@ -132,7 +132,7 @@ static void lay_plane(stream *random, scene *s)
 START_TEST(signs_are_exact_and_values_within_the_bound)
 {
     for (int f = 0; f < PAIR_FAMILIES; f++) {
-        stream random = {SEED};
+        stream random = stream_of_seed(SEED);
         scene s;
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             pair_families[f].make(&random, &s.p);
@@ -199,7 +199,7 @@ END_TEST
 
 START_TEST(perpendicular_is_neither_coming_nor_going)
 {
-    stream random = {SEED};
+    stream random = stream_of_seed(SEED);
     for (int i = 0; i < 10000; i++) { // (a, b, ab).(b, -a, 0) = 0
         double a = stream_int(&random, -30000, 30000),
                b = stream_int(&random, -30000, 30000);

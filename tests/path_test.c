@@ -62,7 +62,7 @@ START_TEST(roots_are_the_same_on_every_path)
                                   PATHS(brink_quadratic_roots_cr)};
     for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++)
         for (int f = 0; f < QUADRATIC_FAMILIES; f++) {
-            stream s = {SEED};
+            stream s = stream_of_seed(SEED);
             quadratic_case q;
             for (int i = 0; i < CASES_A_FAMILY; i++) {
                 quadratic_families[f].make(&s, &q);
@@ -91,7 +91,7 @@ START_TEST(times_are_the_same_on_every_path)
     wall_time *const wall[3] = PATHS(brink_halfspace_time);
     for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++)
         for (int f = 0; f < PAIR_FAMILIES; f++) {
-            stream s = {SEED};
+            stream s = stream_of_seed(SEED);
             pair_case p, q;
             for (int i = 0; i < CASES_A_FAMILY; i++) {
                 pair_families[f].make(&s, &p);
@@ -118,7 +118,7 @@ START_TEST(batches_are_the_same_on_every_path)
         PATHS(brink_disjoint_times), PATHS(brink_disjoint_times_fast)};
     for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++)
         for (int f = 0; f < PAIR_FAMILIES; f++) {
-            stream s = {SEED};
+            stream s = stream_of_seed(SEED);
             for (int i = 0; i < CASES_A_FAMILY; i++) {
                 pair_case p;
                 pair_families[f].make(&s, &p);
@@ -190,7 +190,7 @@ START_TEST(impulses_are_the_same_on_every_path)
     static void (*const make[])(stream *, pair_case *) = {
         family_contact, family_rim, family_grazing, family_axial};
     for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++) {
-        stream s = {SEED};
+        stream s = stream_of_seed(SEED);
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             pair_case p;
             make[i % 4](&s, &p);

@@ -48,7 +48,7 @@ inputs *inputs_make(const problem *p, int family, int n, uint64_t seed)
     *in = (inputs){.n = n, .width = p->width, .rows = room};
     for (size_t k = 0; k < width; k++)
         in->columns[k] = room + (width + k) * count;
-    stream s = {seed};
+    stream s = stream_of_seed(seed);
     for (size_t i = 0; i < count; i++) {
         p->make(family, &s, room + i * width);
         for (size_t k = 0; k < width; k++)

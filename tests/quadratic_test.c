@@ -48,7 +48,7 @@ static void keep_both(const char *family, int i, const quadratic_case *q)
 START_TEST(count_is_exact_and_roots_are_within_the_bound)
 {
     for (int f = 0; f < QUADRATIC_FAMILIES; f++) {
-        stream s = {SEED};
+        stream s = stream_of_seed(SEED);
         quadratic_case q;
         for (int i = 0; i < CASES_A_FAMILY; i++) {
             quadratic_families[f].make(&s, &q);

@@ -45,7 +45,7 @@ static void solve(const char *name)
 {
     for (int f = 0; f < QUADRATIC_FAMILIES; f++)
         if (strcmp(quadratic_families[f].name, name) == 0) {
-            stream s = {SEED};
+            stream s = stream_of_seed(SEED);
             quadratic_case q;
             double x0, x1;
             for (int i = 0; i < CASES; i++) {
@@ -84,7 +84,7 @@ END_TEST
 
 static void meet(void (*make)(stream *, pair_case *))
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     pair_case p;
     for (int i = 0; i < CASES; i++) {
         make(&s, &p);

@@ -47,7 +47,7 @@ static void roots_by_mpfr(mpfr_t lower, mpfr_t upper, const number *a,
 
 START_TEST(roots_are_correctly_rounded)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     number a, b, c;
     brink_dyadic bb, ac, d;
     mpfr_t exact, lower, upper;
@@ -80,7 +80,7 @@ END_TEST
 
 START_TEST(quotients_are_correctly_rounded)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     number x, y;
     mpfr_t exact;
     mpfr_inits2(BITS, x.m, y.m, exact, (mpfr_ptr)0);
@@ -123,7 +123,7 @@ static double root_near_midpoint(int64_t m, int e, int nudge,
 
 START_TEST(midpoints_go_to_even_and_their_neighbours_to_their_side)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < CASES; i++) {
         int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
         int e = stream_int(&s, -1074, 970);
@@ -143,7 +143,7 @@ END_TEST
 
 START_TEST(a_double_root_halfway_between_two_doubles_goes_to_the_even_one)
 {
-    stream s = {SEED};
+    stream s = stream_of_seed(SEED);
     for (int i = 0; i < CASES; i++) {
         const int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
         const double even = (double)(low + low % 2);

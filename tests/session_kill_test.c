@@ -68,7 +68,7 @@ START_TEST(killed_at_random_moments_a_run_ends_with_the_same_bits)
     const uint64_t seed = (uint64_t)time(NULL), wanted = suite_share(200);
     const double length = run_whole();
     char dir[100], what[200];
-    stream s = {seed};
+    stream s = stream_of_seed(seed);
     uint64_t resumed = 0, early = 0, late = 0;
     for (uint64_t n = 0; resumed < wanted; n++) {
         const double moment = stream_real(&s, 0, length);
@@ -104,7 +104,7 @@ START_TEST(killed_again_and_again_it_gets_there_too)
     const double length = run_whole();
     char dir[100];
     snprintf(dir, sizeof dir, "%s/parts", folder);
-    stream s = {seed};
+    stream s = stream_of_seed(seed);
     int code = -1, kills = 0;
     for (; code != 0; kills++) {
         const int fresh = brink_checkpoint_count(dir) == 0;

@@ -38,7 +38,7 @@ static double drift(stream *s, double events)
 // The error is a standard one: of a walk 6 of them are exceeded once in 10^8.
 START_TEST(a_random_walk_has_the_exponent_one_half)
 {
-    stream s = {(uint64_t)time(NULL)};
+    stream s = stream_of_seed((uint64_t)time(NULL));
     const uint64_t seed = s.state;
     const brink_trial t = strayed(walk, &s);
     const brink_growth g = brink_growth_of(&t);

@@ -147,7 +147,7 @@ START_TEST(stopped_and_killed_it_ends_as_if_left_alone)
     const char *folder = new_folder();
     char *whole = new_study(folder, "whole"), *parts = new_study(folder, "parts");
     const uint64_t seed = (uint64_t)time(NULL);
-    stream random = {seed};
+    stream random = stream_of_seed(seed);
     ck_assert_int_eq(end(begin(whole)), 0);
     int pieces = 0, code = 1, went_on = 0;
     for (; code != 0; pieces++) {
