@@ -54,10 +54,10 @@ static int make_potential(stream *s, double *distance, double *energy)
  * side and images, or five and more. */
 static double make_length(stream *s, double range)
 {
-    const double least = 2 * range;
+    const double least = 2 * range * BRINK_SLACK;
     switch (stream_int(s, 0, 5)) {
     case 0:
-        return stream_near(s, least * (1 + 0x1p-40), 2);
+        return stream_near(s, least * (1 + 0x1p-50), 2);
     case 1: // where doubles are all a coordinate needs
         return exp2(ceil(log2(least)) + stream_int(s, 0, 4));
     case 2:
