@@ -65,7 +65,7 @@ static double make_length(stream *s, double range)
     case 3:
         return least * stream_real(s, 1, 4);
     case 4:
-        return least * PICK(s, 10, 50, 500);
+        return least * PICK(s, 10, 50);
     default:
         return least * 4;
     }
