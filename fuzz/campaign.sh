@@ -64,6 +64,16 @@ keep_best() {
         awk -v room="$room" '{ n += $1; if (n > room) print $2 }' | xargs -r rm -f
 }
 
+# How many cases were tried, as the engines' own notes have it.
+cases() {
+    case $engine in
+    libfuzzer) grep -oE '^#[0-9]+' "$log" | tr -d '#' | sort -n | tail -n 1 ;;
+    afl) sed -n 's/^execs_done *: //p' "build/afl-queues/$target"/*/fuzzer_stats |
+        awk '{ n += $1 } END { print n }' ;;
+    esac
+}
+
 "by_$engine"
+tried=$(cases)
 [ "$engine" != libfuzzer ] || keep_best
-grep -E 'stat::number_of_executed_units' "$log" | sed "s/.*: */fuzz: $target, cases: /" || true
+echo "fuzz: $target: $tried cases"

@@ -20,7 +20,8 @@ case ${1-} in
     shift
     ;;
 esac
-[ $# -gt 0 ] || set -- $(cd fuzz && ls ./*_fuzz.c | sed 's|./\(.*\)_fuzz.c|\1|')
+# shellcheck disable=SC2046 # a list of words
+[ $# -gt 0 ] || set -- $(echo fuzz/*_fuzz.c | sed 's|fuzz/||g; s|_fuzz\.c||g')
 
 case $engine in
 libfuzzer) preset=fuzz ;;
@@ -37,17 +38,17 @@ seconds=$(echo "$minutes" $# "$cores" | awk '{
 for target in "$@"; do
     [ -f "fuzz/${target}_fuzz.c" ] || {
         echo "fuzz: there is no fuzz/${target}_fuzz.c; the targets are" \
-            "$(cd fuzz && echo *_fuzz.c | sed 's/_fuzz\.c//g')" >&2
+            "$(echo fuzz/*_fuzz.c | sed 's|fuzz/||g; s|_fuzz\.c||g')" >&2
         exit 2
     }
 done
-cmake --preset $preset -DBRINK_TESTS=ON >/dev/null
+cmake --preset "$preset" -DBRINK_TESTS=ON >/dev/null
 # shellcheck disable=SC2046 # a list of words
-cmake --build build/$preset --target $(printf '%s_fuzz ' "$@")
+cmake --build "build/$preset" --target $(printf '%s_fuzz ' "$@")
 
 echo "fuzz: $# targets by $engine, $seconds s each, $jobs of $cores cores"
 printf '%s\n' "$@" | xargs -P "$cores" -I TARGET \
-    sh fuzz/campaign.sh $engine "$programs" TARGET "$seconds" "$jobs" || true
+    sh fuzz/campaign.sh "$engine" "$programs" TARGET "$seconds" "$jobs" || true
 
 found=0
 for input in build/findings/*; do

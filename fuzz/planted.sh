@@ -13,7 +13,8 @@ tree=build/planted/tree
 build=build/planted/build
 log=build/planted/log
 mkdir -p "$log"
-[ $# -gt 0 ] || set -- $(cd fuzz/planted && ls ./*.patch | sed 's|./\([0-9]*\)-.*|\1|')
+# shellcheck disable=SC2046 # a list of words
+[ $# -gt 0 ] || set -- $(echo fuzz/planted/*.patch | sed 's|fuzz/planted/\([0-9]*\)-[^ ]*|\1|g')
 
 # A copy that keeps the times of what has not changed: ninja builds what a fault touches.
 mkdir -p "$tree"
