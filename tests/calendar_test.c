@@ -110,7 +110,7 @@ START_TEST(what_comes_next_is_what_a_look_through_all_finds)
     ck_assert_int_eq(brink_calendar_create(&c, SLOTS, YEAR, 37), 0);
     ck_assert_uint_eq(c.days, 64);
     brink_instant now = {0, 0.0};
-    for (int step = 0; step < 200000; step++) {
+    for (int step = 0; step < (int)suite_share(200000); step++) {
         const uint32_t slot = brink_calendar_next(&c);
         ck_assert_msg(slot == earliest(&c), "step %d", step);
         if (slot < SLOTS) {
