@@ -30,7 +30,8 @@ START_TEST(a_plane_is_met_when_it_is)
 {
     static const double origin[3] = {0, 0, 0};
     stream s = {SEED};
-    for (int i = 0; i < (int)suite_share(PAIR_FAMILIES * CASES_A_FAMILY / 2); i++) {
+    const int cases = (int)suite_share(PAIR_FAMILIES * CASES_A_FAMILY / 2);
+    for (int i = 0; i < cases; i++) {
         pair_case p, q;
         const pair_family *family = &pair_families[i % PAIR_FAMILIES];
         family->make(&s, &p);

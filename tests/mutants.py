@@ -214,7 +214,7 @@ def main():
     options.add_argument("-t", action="append", dest="tests")
     options.add_argument("source", type=pathlib.Path)
     options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("files", nargs="*")
+    options.add_argument("files", nargs="*", metavar="file")
     given = options.parse_args()
     source, folder = given.source.resolve(), given.folder.resolve()
     build = Build(source, folder)
@@ -227,7 +227,8 @@ def main():
         campaign.run()
         report.add(campaign)
         (folder / "report.txt").write_text(report.page(), encoding="utf-8")
-    print(report.page(), end="")
+    print(report.table(), end="")
+    print(f"what is alive: {folder / 'report.txt'}")
     build.clear()
     return report.status()
 

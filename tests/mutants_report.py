@@ -7,8 +7,14 @@ tests/mutants.txt has paragraphs:
         what is there -> what stood there instead     one or more
         Why no test can, or need, tell them apart.
 
-A paragraph that matches nothing is a fault: its line has changed.
+A paragraph that matches nothing is a fault: its line has changed, or a test has come
+that kills it.  The report has its survivors in the same form.
 """
+
+
+KINDS = {"mutants": "mutants", "killed": "killed", "same": "same code",
+         "uncompilable": "no code", "listed": "listed", "alive": "alive",
+         "untried": "untried"}
 
 
 def _words(text):
@@ -33,11 +39,10 @@ class Report:
         self.files = set()
 
     def add(self, campaign):
-        counts = dict.fromkeys(("mutants", "killed", "same", "uncompilable",
-                                "listed", "alive", "untried"), 0)
+        counts = dict.fromkeys(KINDS, 0)
         lines = campaign.text.splitlines()
         self.files.add(campaign.name)
-        for mutant in campaign.mutants:
+        for mutant in sorted(campaign.mutants, key=lambda m: m.line):
             counts["mutants"] += 1
             what = (campaign.known(mutant) or "untried").split()[0]
             entry = (campaign.name, _words(lines[mutant.line - 1]),
@@ -57,28 +62,28 @@ class Report:
     def status(self):
         return 1 if self.faults() else 0
 
+    def table(self):
+        """And the share that is killed of those that there are: that compile, and
+        to something else."""
+        rows = [(name, *counts.values()) for name, counts in self.counts]
+        total = dict(zip(KINDS, map(sum, zip(*(row[1:] for row in rows)))))
+        rows.append(("all", *total.values()))
+        lines = [("", *KINDS.values()), *rows]
+        page = "".join(f"{line[0]:<32}" + "".join(f"{c:>10}" for c in line[1:])
+                       + "\n" for line in lines)
+        there = total["mutants"] - total["same"] - total["uncompilable"]
+        share = 100 * total["killed"] / there if there else 100
+        return page + f"\n{share:.1f} % killed, of {there} that compile to " \
+                      "something else\n"
+
     def page(self):
-        names = ("mutants", "killed", "same", "uncompilable", "listed", "alive",
-                 "untried")
-        heads = ("mutants", "killed", "same code", "no code", "listed", "alive",
-                 "untried")
-        rows = [(name, *(c[n] for n in names)) for name, c in self.counts]
-        total = [sum(row[k] for row in rows) for k in range(1, len(names) + 1)]
-        rows.append(("all", *total))
-        page = "".join(f"{cell:{'<32' if k == 0 else '>10'}}"
-                       for k, cell in enumerate(("", *heads))) + "\n"
-        for row in rows:
-            page += f"{row[0]:<32}" + "".join(f"{n:>10}" for n in row[1:]) + "\n"
+        page = self.table()
+        at = None
         for name, line, (_, written, change), what in self.survivors:
-            page += f"\n{name}:{line}: {what}\n    {written}\n    {change}\n"
+            if at != (name, line):
+                page += f"\n# line {line}\n{name}: {written}\n"
+                at = name, line
+            page += f"    {change}{'  # untried' if what == 'untried' else ''}\n"
         for fault in self.faults():
-            page += f"\ntests/mutants.txt matches no survivor: {fault}\n"
-        count = dict(zip(names, total))
-        base = count["mutants"] - count["same"] - count["uncompilable"]
-        # one that is listed is neither alive nor killed
-        base -= count["listed"]
-        share = 100 * count["killed"] / base if base else 100
-        plain = 100 * count["killed"] / (base + count["listed"]) \
-            if base + count["listed"] else 100
-        return page + (f"\nkilled: {share:.1f} % of those that make a difference, "
-                       f"{plain:.1f} % with those listed\n")
+            page += f"\n# tests/mutants.txt matches no survivor: {fault}\n"
+        return page

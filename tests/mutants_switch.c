@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// In every program of a mutants' build (see mutants.py): which mutant it is, by the
-// environment, what that may use up, and where it has been.  Its first failure is
-// its end.
+// In every program of a mutants' build (see mutants.py): which mutant it is, by
+// the environment, what that may use up, and where it has been.  Its first
+// failure is its end.
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdlib.h>
@@ -36,8 +36,8 @@ __attribute__((constructor)) static void begin(void)
         return;
     // A file, so that processes that are forked or killed leave their part.
     const int file = open(reached, O_RDWR);
-    void *map = mmap(NULL, MOST_FUNCTIONS, PROT_READ | PROT_WRITE, MAP_SHARED,
-                     file, 0);
+    void *map =
+        mmap(NULL, MOST_FUNCTIONS, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     if (map != MAP_FAILED)
         brink_reached = map;
     close(file);

@@ -200,7 +200,8 @@ END_TEST
 START_TEST(perpendicular_is_neither_coming_nor_going)
 {
     stream random = {SEED};
-    for (int i = 0; i < (int)suite_share(10000); i++) { // (a, b, ab).(b, -a, 0) = 0
+    for (int i = 0; i < (int)suite_share(10000); i++) {
+        // (a, b, a b).(b, -a, 0) = 0
         double a = stream_int(&random, -30000, 30000),
                b = stream_int(&random, -30000, 30000);
         const double r[3] = {a, b, a * b}, v[3] = {b, -a, 0};
