@@ -9,7 +9,9 @@ FILEs is changed, one at a time, and the tests are run until one fails.  Each fi
 compiled once with all of its mutants (mutants_schema.py); what is a constant to the
 compiler has a build of its own.  A test is run if without a mutant it reaches the
 function; those that kill most in least time come first.  A crash, more than 2 GiB or
-more than ten times the test's time and 2 s is a kill.
+more than ten times the test's time and 2 s is a kill.  What then stands is compiled
+by itself, to see whether it makes any difference to the code, and is tried once
+more with sanitizers.
 
 FOLDER/results.txt has a line a mutant and is gone on from: kills and what makes no
 difference to the code hold as long as the file is the same, survivors as long as
@@ -94,8 +96,9 @@ class Results:
 class Campaign:
     """All mutants of one file."""
 
-    def __init__(self, build, name, results, tests, jobs):
-        self.build, self.name, self.results, self.jobs = build, name, results, jobs
+    def __init__(self, build, sanitized, name, results, tests, jobs):
+        self.build, self.sanitized = build, sanitized
+        self.name, self.results, self.jobs = name, results, jobs
         self.stem = pathlib.Path(name).stem
         self.tests = tests
         build.restore(name)
@@ -105,44 +108,49 @@ class Campaign:
         self.text, self.functions = found.text, found.functions
         self.mutants = mutants_of(found.text, found.sites.values())
         self.content = digest(found.text.encode("latin-1"))
-        self.alive = "alive " + digest(*(
-            p.read_bytes() for p in sorted((build.tree / "tests").glob("*.[ch]"))))
+        tests_now = digest(*(
+            p.read_bytes() for p in sorted((build.tree / "tests").iterdir())
+            if p.suffix in (".c", ".h", ".wc")))
+        # of those that no test has killed yet, and of those that are through
+        self.standing, self.alive = f"standing {tests_now}", f"alive {tests_now}"
         self.took, self.reach, self.kills = {}, {}, {}
 
     def known(self, mutant):
         what = self.results.of.get((self.content, mutant.key), "")
-        return "" if what.startswith("alive") and what != self.alive else what
+        is_final = what == "same" or what.startswith(("killed", "uncompilable"))
+        return what if is_final or what in (self.standing, self.alive) else ""
 
     def put(self, mutant, what):
         self.results.put(self.content, mutant, what)
 
     def run(self):
         todo = [m for m in self.mutants if not self.known(m)]
-        if not todo:
-            return
         self.say(f"{len(todo)} of {len(self.mutants)} mutants to try")
         try:
             self.try_in_one([m for m in todo if m.site.how != "own"])
             # and those of which the compiler had to know
             for mutant in (m for m in todo if not self.known(m)):
                 self.try_alone(mutant)
-            self.build.restore(self.name)
             self.sort_out()
+            self.try_sanitized()
         finally:
             self.build.restore(self.name)
+
+    def those(self, what):
+        return [m for m in self.mutants if self.known(m) == what]
 
     def say(self, what):
         print(f"{self.name}: {what}", file=sys.stderr, flush=True)
 
     # --- Trying --------------------------------------------------------------
 
-    def measure(self):
+    def measure(self, build):
         """Which tests pass, what they reach, how long it takes."""
         self.took, self.reach = {}, {}
 
         def one(test):
             most = SECONDS * (10 if is_own(test, self.stem) else 1)
-            return test, most, self.build.reached(test, 3 * most)
+            return test, most, build.reached(test, 3 * most)
 
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             for test, most, answer in pool.map(one, self.tests):
@@ -161,51 +169,72 @@ class Campaign:
                   if at <= mutant.site.start]
         return before[-1] if before else None
 
-    def is_killed(self, mutant, number, make=None):
+    def verdict(self, build, mutant, number, make=None):
         where = self.function_of(mutant)
         tests = [t for t in self.took if make or where in self.reach[t]]
         for test in self.order(tests):
             if make and make(test):
                 return "uncompilable"
-            if not self.build.passes(test, number, 10 * self.took[test] + 2):
+            if not build.passes(test, number, 10 * self.took[test] + 2):
                 self.kills[test] = self.kills.get(test, 0) + 1
                 return f"killed {test}"
-        return self.alive
+        return self.standing
 
-    def try_in_one(self, mutants):
-        """Those that do not compile in the one text are left."""
+    def build_all(self, build, mutants):
+        """In one text; those that do not compile there are left out."""
         while True:
-            self.build.write(self.name, schema(self.text, mutants, self.functions))
-            errors = self.build.make(self.tests, self.jobs)
+            build.write(self.name, schema(self.text, mutants, self.functions))
+            errors = build.make(self.tests, self.jobs)
             if not errors:
-                break
+                self.measure(build)
+                return mutants
             file = re.escape(self.name)
             lines = {int(n) for n in re.findall(rf"{file}:(\d+):\d+: error", errors)}
             keep = [m for m in mutants if m.line not in lines]
             if len(keep) == len(mutants):
                 raise SystemExit(errors)
             mutants = keep
-        self.measure()
+
+    def try_each(self, build, mutants):
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            verdicts = pool.map(lambda m: (m, self.is_killed(m, m.number)), mutants)
-            for k, (mutant, verdict) in enumerate(verdicts, 1):
+            def one(mutant):
+                return mutant, self.verdict(build, mutant, mutant.number)
+            for k, (mutant, verdict) in enumerate(pool.map(one, mutants), 1):
                 self.put(mutant, verdict)
                 if k % 100 == 0:
                     self.say(f"{k} tried")
 
+    def try_in_one(self, mutants):
+        if mutants:
+            self.try_each(self.build, self.build_all(self.build, mutants))
+
     def try_alone(self, mutant):
+        if not self.took:
+            self.build_all(self.build, [])
         self.build.write(self.name, alone(self.text, mutant))
-        self.put(mutant, self.is_killed(
-            mutant, 0, lambda test: self.build.make([test], self.jobs)))
+        self.put(mutant, self.verdict(
+            self.build, mutant, 0, lambda test: self.build.make([test], self.jobs)))
 
     def sort_out(self):
-        """Of the survivors, those that make no difference to the code."""
-        alive = [m for m in self.mutants if self.known(m) == self.alive]
-        code = {unit: self.build.code(unit) for unit in self.units} if alive else {}
-        for mutant in alive:
+        """Of those standing, the ones that make no difference to the code."""
+        standing = self.those(self.standing)
+        self.build.restore(self.name)
+        code = {unit: self.build.code(unit) for unit in self.units if standing}
+        for mutant in standing:
             self.build.write(self.name, alone(self.text, mutant))
             if all(self.build.code(unit) == code[unit] for unit in self.units):
                 self.put(mutant, "same")
+
+    def try_sanitized(self):
+        """The rest with sanitizers, under which every test is run as well."""
+        standing = self.those(self.standing)
+        if any(m.site.how != "own" for m in standing):
+            self.say(f"{len(standing)} mutants to try with sanitizers")
+            self.try_each(self.sanitized, self.build_all(
+                self.sanitized, [m for m in standing if m.site.how != "own"]))
+            self.sanitized.restore(self.name)
+        for mutant in self.those(self.standing):
+            self.put(mutant, self.alive)
 
 
 def main():
@@ -217,19 +246,21 @@ def main():
     options.add_argument("files", nargs="*", metavar="file")
     given = options.parse_args()
     source, folder = given.source.resolve(), given.folder.resolve()
-    build = Build(source, folder)
+    build = Build(source, folder / "plain")
+    sanitized = Build(source, folder / "sanitized", "-DBRINK_SANITIZE=ON")
     results = Results(folder / "results.txt")
     build.make(["brinksim"], given.jobs)  # so that it is known what includes what
     report = mutants_report.Report(source / "tests/mutants.txt")
     for name in given.files or FILES.split():
         tests = given.tests or near(source, name.split("/")[0])
-        campaign = Campaign(build, name, results, tests, given.jobs)
+        campaign = Campaign(build, sanitized, name, results, tests, given.jobs)
         campaign.run()
         report.add(campaign)
         (folder / "report.txt").write_text(report.page(), encoding="utf-8")
     print(report.table(), end="")
     print(f"what is alive: {folder / 'report.txt'}")
     build.clear()
+    sanitized.clear()
     return report.status()
 
 

@@ -21,7 +21,7 @@ MAP_SIZE = 4096  # mutants_switch.c
 
 
 class Build:
-    def __init__(self, source, folder):
+    def __init__(self, source, folder, *options):
         self.source, self.tree = source, folder / "tree"
         self.build, self.work = folder / "build", folder / "work"
         self.work.mkdir(parents=True, exist_ok=True)
@@ -29,7 +29,7 @@ class Build:
             self._copy(source / name)
         self._put(self.tree / "kernels/mutants_switch.c",
                   (source / "tests/mutants_switch.c").read_bytes())
-        self._configure()
+        self._configure(options)
         commands = json.loads((self.build / "compile_commands.json").read_text())
         self.commands = {c["file"]: shlex.split(c["command"]) for c in commands}
 
@@ -48,12 +48,12 @@ class Build:
         if not path.exists() or path.read_bytes() != content:
             path.write_bytes(content)
 
-    def _configure(self):
+    def _configure(self, options):
         done = subprocess.run(
             ["cmake", "-G", "Ninja", "-S", self.tree, "-B", self.build,
              "-DBRINK_PATHS=OFF", "-DBRINK_TESTS=ON", "-DCMAKE_BUILD_TYPE=Release",
              "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DCMAKE_C_FLAGS=-w -mavx2 -mfma",
-             "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--wrap=_ck_assert_failed"],
+             "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--wrap=_ck_assert_failed", *options],
             capture_output=True, text=True, check=False)
         if done.returncode:
             raise SystemExit(done.stderr)

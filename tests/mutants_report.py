@@ -45,6 +45,7 @@ class Report:
         for mutant in sorted(campaign.mutants, key=lambda m: m.line):
             counts["mutants"] += 1
             what = (campaign.known(mutant) or "untried").split()[0]
+            what = "untried" if what == "standing" else what
             entry = (campaign.name, _words(lines[mutant.line - 1]),
                      _words(f"{mutant.was} -> {mutant.now}"))
             if what == "alive" and entry in self.entries:

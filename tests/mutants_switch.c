@@ -29,7 +29,9 @@ __attribute__((constructor)) static void begin(void)
         brink_mutant = atoi(mutant);
     if (seconds) {
         limit(RLIMIT_CPU, (rlim_t)atoi(seconds));
+#ifndef __SANITIZE_ADDRESS__ // it lays hands on far more than it uses
         limit(RLIMIT_AS, (rlim_t)2 << 30);
+#endif
         limit(RLIMIT_CORE, 0);
     }
     if (!reached)
