@@ -2,7 +2,7 @@
 // In every program of a mutants' build (see mutants.py): which mutant it is, by
 // the environment, what that may use up, and where it has been.  Its first
 // failure is its end.
-#define _GNU_SOURCE
+#define _XOPEN_SOURCE 700
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/mman.h>

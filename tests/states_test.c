@@ -128,8 +128,9 @@ START_TEST(a_log_of_events_leaves_the_levels_of_a_plain_table)
 }
 END_TEST
 
-// Three species, each pair of them with a potential of its own: level k of the pair
-// (a, b), a <= b, has the energy 4^(3 a + b) 2^(k - 1), so that a sum tells which.
+// Three species, each pair of them with a potential of its own: level k of the
+// pair (a, b), a <= b, has the energy 4^(3 a + b) 2^(k - 1), so that a sum tells
+// which.
 static double own_energy(int a, int b, int k)
 {
     return ldexp(1.0, 2 * (a < b ? 3 * a + b : 3 * b + a) + k - 1);
