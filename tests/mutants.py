@@ -50,7 +50,7 @@ NEAR = {
         path wall cells states run_test run_rim physics""",
     "sim": """states lists calendar cells run neighbours snapshot conservation
         sequence conventional_test plain_simulator reference longrun lanes system
-        checkpoint clock start_test physics""",
+        checkpoint clock start_test physics no_memory""",
 }
 # Of other rooms, those that take no more seconds than this; of its own, ten times.
 SECONDS = 0.8
@@ -71,6 +71,7 @@ def near(source, folder):
 
 
 def is_own(test, stem):
+    """By its name, or because it is of no room."""
     room = test.removesuffix("_test")
     return test in ALSO.get(stem, []) or stem.startswith(room) \
         or room.startswith(stem)

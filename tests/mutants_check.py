@@ -35,6 +35,8 @@ static int count(int a, int b) // several lines, and a comment
             n += 2;
         else
             --n;
+    if (n++ > 1)
+        n += 4;
     return n;
 }
 
@@ -60,7 +62,7 @@ int main(void)
     printf("%g %g %d", part(3, y), part(-3, y + 1), (int)bits);
 }
 """
-EXPECTED = 119  # gone through by hand, once
+EXPECTED = 134  # gone through by hand, once
 
 
 def output(program, mutant):

@@ -170,7 +170,7 @@ class Finder:
         condition, *bodies = cursor.get_children()
         span = self.span(condition)
         if span and len(bodies) == 1:
-            self.add(span, [span], "{0} != 0", ["0 && {0}"], "value")
+            self.add(span, [span], "{0} != 0", ["{0} && 0"], "value")
         for body in bodies:
             where = self.span(body)
             if where and len(bodies) == 2 and body.kind == Kind.COMPOUND_STMT:

@@ -43,7 +43,7 @@ def _shown(form, holes):
     if form == "(void)0":
         return "nothing"
     form = {"(void)({0})": "{0}", "{0} != 0": "if ({0})",
-            "0 && {0}": "if (0 && {0})"}.get(form, form)
+            "{0} && 0": "if ({0} && 0)"}.get(form, form)
     return form.format(*holes)
 
 
