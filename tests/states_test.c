@@ -223,8 +223,15 @@ START_TEST(the_check_sees_what_is_wrong_and_says_so)
     for (int k = 0; k < 4 * t.levels; k++) {
         t.pairs[k]++;
         expect_fault(&t, &s, "miscounted");
-        t.pairs[k]--;
+        t.pairs[k] -= 2;
+        expect_fault(&t, &s, "miscounted");
+        t.pairs[k]++;
     }
+    brink_states_set(&t, &s, 0, 2, 1); // and the second of a particle's links
+    link = brink_lists_items(&t.links, 0);
+    link[1].level = 0;
+    expect_fault(&t, &s, "does not have");
+    link[1].level = 1;
     ck_assert_ptr_null(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
     brink_system_destroy(&s);
