@@ -4,6 +4,7 @@
 #include <gsl/gsl_rng.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { SLOTS = 300 };
 #define YEAR 8.0
@@ -110,7 +111,7 @@ START_TEST(what_comes_next_is_what_a_look_through_all_finds)
     ck_assert_int_eq(brink_calendar_create(&c, SLOTS, YEAR, 37), 0);
     ck_assert_uint_eq(c.days, 64);
     brink_instant now = {0, 0.0};
-    for (int step = 0; step < 200000; step++) {
+    for (int step = 0; step < (int)suite_share(200000); step++) {
         const uint32_t slot = brink_calendar_next(&c);
         ck_assert_msg(slot == earliest(&c), "step %d", step);
         if (slot < SLOTS) {
@@ -136,16 +137,119 @@ START_TEST(what_comes_next_is_what_a_look_through_all_finds)
 }
 END_TEST
 
-START_TEST(the_check_sees_what_is_out_of_order)
+// All of them in the heap of one day, in an order that is not their own, some of
+// them at one time and alike but for the slot; then taken, moved and taken again.
+START_TEST(a_day_with_everybody_in_it_is_in_order)
+{
+    brink_calendar c;
+    ck_assert_int_eq(brink_calendar_create(&c, SLOTS, YEAR, 1), 0);
+    for (uint32_t n = 0; n < SLOTS; n++) {
+        const uint32_t s = n * 7 % SLOTS; // 7 and 300 have no common divisor
+        set(&c, s, 0, (s * 11 % 60) / 8.0, BRINK_ENTRY_INWARD, 1, 2);
+        expect_valid(&c);
+    }
+    ck_assert_uint_eq(c.heap_count, SLOTS);
+    for (uint32_t s = 0; s < SLOTS; s += 3) { // earlier, later, gone
+        set(&c, s, 0, (s * 13 % 60) / 8.0, BRINK_ENTRY_INWARD, 1, 2);
+        expect_valid(&c);
+        if (s % 2)
+            clear(&c, s);
+        expect_valid(&c);
+    }
+    for (uint32_t left = c.heap_count; left > 0; left--) {
+        const uint32_t slot = brink_calendar_next(&c);
+        ck_assert_uint_eq(slot, earliest(&c)); // of those alike the lowest
+        clear(&c, slot);
+        expect_valid(&c);
+    }
+    ck_assert_uint_eq(brink_calendar_next(&c), SLOTS);
+    brink_calendar_destroy(&c);
+}
+END_TEST
+
+// What makes it O(1): only today's events are in the heap, in every year.
+START_TEST(other_days_wait_outside_the_heap)
+{
+    brink_calendar c;
+    ck_assert_int_eq(brink_calendar_create(&c, 64, YEAR, 32), 0);
+    for (uint32_t s = 0; s < 64; s++) // one a day for two years, from the last on
+        set(&c, 63 - s, (63 - s) / 32, (63 - s) % 32 * YEAR / 32,
+            BRINK_ENTRY_CELL, s, 0);
+    for (uint32_t s = 0; s < 64; s++) {
+        ck_assert_uint_eq(brink_calendar_next(&c), s);
+        ck_assert_uint_eq(c.heap_count, 1);
+        ck_assert_uint_eq(c.today, s % 32);
+        ck_assert_int_eq(c.epoch, s / 32);
+        expect_valid(&c);
+        clear(&c, s);
+    }
+    brink_calendar_destroy(&c);
+    brink_calendar_destroy(&c); // of nothing
+}
+END_TEST
+
+static void expect_fault(const brink_calendar *c, const char *word)
+{
+    const char *fault = brink_calendar_is_valid(c);
+    ck_assert_ptr_nonnull(fault);
+    ck_assert_msg(strstr(fault, word) != NULL, "\"%s\", not \"%s\"", fault, word);
+}
+
+#define EXPECT_FAULT_IF(place, wrong, word)                                      \
+    do {                                                                         \
+        const uint32_t right = place;                                            \
+        place = wrong;                                                           \
+        expect_fault(&c, word);                                                  \
+        place = right;                                                           \
+        expect_valid(&c);                                                        \
+    } while (0)
+
+// One thing is put wrong at a time, and right again.
+START_TEST(the_check_sees_what_is_wrong_and_says_so)
 {
     brink_calendar c;
     ck_assert_int_eq(brink_calendar_create(&c, SLOTS, YEAR, 16), 0);
-    for (uint32_t s = 0; s < 50; s++)
-        set(&c, s, s % 3, s * 0.15, BRINK_ENTRY_CELL, s, 0);
-    brink_calendar_next(&c);
+    for (uint32_t s = 0; s < 60; s++) // 20 a year, in half the days: 0, 2, ...
+        set(&c, s, s / 20, (double)(s % 20 / 3), BRINK_ENTRY_CELL, s, 0);
+    clear(&c, brink_calendar_next(&c));
+    for (uint32_t p = 0; p < c.heap_count; p++) {
+        const uint32_t slot = c.heap[p], places[] = {p + 1, p - 1, SLOTS};
+        for (int k = 0; k < 3; k++)
+            EXPECT_FAULT_IF(c.filed[slot].place, places[k], "about a place");
+    }
+    // in a list: of today + 2, and of later years
+    const uint32_t lists[] = {c.today + 2, c.days};
+    for (int n = 0; n < 2; n++) {
+        const uint32_t s = c.first[lists[n]], place = c.filed[s].place;
+        EXPECT_FAULT_IF(c.filed[s].place, place - 1, "disagree");
+        EXPECT_FAULT_IF(c.filed[s].place, place + 1, "disagree");
+        EXPECT_FAULT_IF(c.filed[s].previous, s, "disagree");
+        EXPECT_FAULT_IF(c.first[lists[n]], SLOTS + 1, "disagree");
+        EXPECT_FAULT_IF(c.filed[c.filed[s].next].previous, SLOTS, "disagree");
+        // an event of another year, of this one, of another day
+        const brink_instant right = c.entry[s].when;
+        for (int year = -1; year < 3; year++)
+            if (n == 0 ? year != 0 : year <= 0) {
+                c.entry[s].when.epoch = year;
+                expect_fault(&c, "of another day");
+            }
+        c.entry[s].when = right;
+        for (int day = 0; day < 16 && n == 0; day++)
+            if ((uint32_t)day != lists[n]) {
+                c.entry[s].when.offset = day * YEAR / 16;
+                expect_fault(&c, "of another day");
+            }
+        c.entry[s].when = right;
+        expect_valid(&c);
+    }
+    c.entry[SLOTS - 1].when = (brink_instant){0, 0.0}; // and is filed nowhere
+    expect_fault(&c, "nowhere");
+    c.entry[SLOTS - 1].when = BRINK_NEVER;
+    const double last = c.entry[c.heap[c.heap_count - 1]].when.offset;
+    c.entry[c.heap[c.heap_count - 1]].when.offset = -1;
+    expect_fault(&c, "out of order");
+    c.entry[c.heap[c.heap_count - 1]].when.offset = last;
     expect_valid(&c);
-    c.entry[c.heap[0]].when.offset = 7.5;
-    ck_assert_ptr_nonnull(brink_calendar_is_valid(&c));
     brink_calendar_destroy(&c);
 }
 END_TEST
@@ -157,5 +261,7 @@ int main(void)
                      years_without_events_are_passed_over,
                      an_event_before_today_is_next_at_once,
                      what_comes_next_is_what_a_look_through_all_finds,
-                     the_check_sees_what_is_out_of_order);
+                     a_day_with_everybody_in_it_is_in_order,
+                     other_days_wait_outside_the_heap,
+                     the_check_sees_what_is_wrong_and_says_so);
 }

@@ -65,7 +65,7 @@ START_TEST(sums_differences_and_products_are_exact)
     stream s = stream_of_seed(SEED);
     mpfr_t a, b, z, got;
     mpfr_inits2(BITS, a, b, z, got, (mpfr_ptr)0);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         brink_dyadic x, y, r;
         random_number(&s, &x, a);
         random_number(&s, &y, b);
@@ -93,7 +93,7 @@ START_TEST(rounding_is_to_nearest_even_at_any_magnitude)
     stream s = stream_of_seed(SEED);
     mpfr_t a;
     mpfr_init2(a, BITS);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         brink_dyadic x;
         random_number(&s, &x, a);
         double got = brink_dyadic_round(&x), right = mpfr_get_d(a, N);
@@ -101,7 +101,7 @@ START_TEST(rounding_is_to_nearest_even_at_any_magnitude)
                       got, right);
     }
     // Midpoints of two doubles, and their neighbours 2^-60 of an ulp away.
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         int64_t m = (int64_t)(stream_bits(&s) >> 10);
         int e = stream_int(&s, -1130, 975);
         brink_dyadic x, little, y;
@@ -122,7 +122,7 @@ START_TEST(leading_parts_are_off_by_less_than_2_uu)
     stream s = stream_of_seed(SEED);
     mpfr_t a, z;
     mpfr_inits2(BITS, a, z, (mpfr_ptr)0);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         brink_dyadic x;
         int e;
         random_number(&s, &x, a);

@@ -30,7 +30,8 @@ START_TEST(a_plane_is_met_when_it_is)
 {
     static const double origin[3] = {0, 0, 0};
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < PAIR_FAMILIES * CASES_A_FAMILY / 2; i++) {
+    const int cases = (int)suite_share(PAIR_FAMILIES * CASES_A_FAMILY / 2);
+    for (int i = 0; i < cases; i++) {
         pair_case p, q;
         const pair_family *family = &pair_families[i % PAIR_FAMILIES];
         family->make(&s, &p);
@@ -84,7 +85,7 @@ START_TEST(the_side_is_known_where_all_but_the_last_bits_cancel)
     stream s = stream_of_seed(SEED);
     mpfr_t f;
     mpfr_init2(f, ORACLE_BITS);
-    for (int i = 0; i < 10 * CASES_A_FAMILY; i++) {
+    for (int i = 0; i < (int)suite_share(10 * CASES_A_FAMILY); i++) {
         double r[3], v[3], n[3], c[3];
         mpfr_set_zero(f, 1);
         for (int k = 0; k < 3; k++) {

@@ -2,6 +2,7 @@
 #include "cases.h"
 #include "oracle.h"
 #include "pairs.h"
+#include "suite.h"
 #include <brink/event_time.h>
 #include <check.h>
 
@@ -61,7 +62,7 @@ START_TEST(every_promise_is_kept_on_every_family)
     const pair_family *family = &pair_families[_i];
     stream s = stream_of_seed(SEED);
     pair_case p;
-    for (int i = 0; i < CASES_A_FAMILY; i++) {
+    for (int i = 0; i < (int)suite_share(CASES_A_FAMILY); i++) {
         family->make(&s, &p);
         for (size_t k = 0; k < sizeof promises / sizeof *promises; k++)
             keep(&promises[k], family->name, i, &p);
@@ -118,7 +119,7 @@ START_TEST(never_negative_and_never_not_a_number)
     stream s = stream_of_seed(SEED);
     pair_case p;
     for (int family = 0; family < PAIR_FAMILIES; family++)
-        for (int i = 0; i < CASES_A_FAMILY; i++) {
+        for (int i = 0; i < (int)suite_share(CASES_A_FAMILY); i++) {
             pair_families[family].make(&s, &p);
             double t = all_kernels[_i](p.r, p.v, p.sigma);
             if (!(t >= 0) || signbit(t))

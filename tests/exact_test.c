@@ -54,7 +54,7 @@ START_TEST(sums_of_two_doubles_are_exact)
     stream s = stream_of_seed(SEED);
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         double a = stream_scaled(&s, -1080, 1023),
                b = stream_scaled(&s, -1080, 1023);
         if (i % 2)
@@ -75,7 +75,7 @@ START_TEST(products_of_two_doubles_are_exact)
     stream s = stream_of_seed(SEED);
     mpfr_t exact;
     mpfr_init2(exact, ORACLE_BITS);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         // Down to where the last bit of the product is 2^-1074.
         int e = stream_int(&s, 0, 900);
         double a = stream_scaled(&s, e, e + 1),
@@ -93,7 +93,7 @@ START_TEST(double_doubles_keep_their_bounds)
     stream s = stream_of_seed(SEED);
     mpfr_t a, b, z;
     mpfr_inits2(ORACLE_BITS, a, b, z, (mpfr_ptr)0);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         dd x = random_dd(&s), y = i % 4 ? random_dd(&s) : dd_negate(x);
         if (i % 4 == 0) // cancelling
             y.lo = stream_near(&s, y.lo, 4);
@@ -125,7 +125,7 @@ START_TEST(what_is_told_is_the_nearest_double)
     mpfr_t z, slack;
     mpfr_inits2(ORACLE_BITS, z, slack, (mpfr_ptr)0);
     int told = 0;
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         double hi =
             i % 3 ? stream_scaled(&s, -3, 3) : ldexp(1, stream_int(&s, -3, 3));
         double half = ldexp(u, ilogb(hi)) * (stream_int(&s, 0, 1) ? 1 : 0.5);

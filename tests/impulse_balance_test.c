@@ -98,7 +98,7 @@ static void keep_account(int i, const impact *p, impulse *f, double owed)
 START_TEST(nothing_is_lost_from_the_account)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         random_impact(&s, &p);
         const double owed = random_debt(&s, &p);
@@ -112,7 +112,7 @@ END_TEST
 START_TEST(nothing_is_lost_on_the_rim)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         pair_case on_rim;
         random_impact(&s, &p);
@@ -131,7 +131,7 @@ START_TEST(what_can_be_paid_is)
 {
     stream s = stream_of_seed(SEED);
     int paid = 0;
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         random_impact(&s, &p);
         p.way = BRINK_INWARD;

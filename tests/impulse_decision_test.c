@@ -65,7 +65,7 @@ START_TEST(equality_is_decided_where_double_double_cannot)
     // double-double, where j / (i + j) comes first.  v = k r, so
     // mu b^2 / (2 r.r) = i j k^2 r.r.
     stream s = stream_of_seed(SEED);
-    for (int c = 0; c < IMPACTS; c++) {
+    for (int c = 0; c < (int)suite_share(IMPACTS); c++) {
         double i = stream_int(&s, 1, 1 << 8), j = stream_int(&s, 1, 1 << 8);
         double m1 = 2 * i * (i + j), m2 = 2 * j * (i + j);
         double k = stream_int(&s, 1, 1 << 8), r[3], rr = 0, virial;

@@ -16,7 +16,7 @@ static double angle(const impact *p, const double v1[3], const double v2[3])
 START_TEST(pairs_on_the_rim_are_turned_inward)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         pair_case rim;
         random_impact(&s, &p);

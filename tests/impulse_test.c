@@ -93,7 +93,7 @@ static void keep(int i, const impact *p)
 START_TEST(energy_momentum_and_decision_are_right)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         random_impact(&s, &p);
         keep(i, &p);
@@ -124,7 +124,7 @@ END_TEST
 START_TEST(scaling_by_powers_of_two_changes_nothing_else)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         random_impact(&s, &p);
         int er = stream_int(&s, -900, 900), ev = stream_int(&s, -300, 300);
@@ -178,7 +178,7 @@ END_TEST
 START_TEST(cores_reflect_elastically)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < IMPACTS; i++) {
+    for (int i = 0; i < (int)suite_share(IMPACTS); i++) {
         impact p;
         random_impact(&s, &p);
         double v1[3], v2[3];

@@ -8,7 +8,7 @@ enum { CASES = 20000, SEED = 1 };
 START_TEST(each_lane_is_multiplied_and_added_with_one_rounding)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         double x[3][2];
         for (int k = 0; k < 6; k++)
             x[k / 2][k % 2] = stream_scaled(&s, -600, 500);
@@ -50,7 +50,7 @@ static int is_told_in_lane(int lane, dd x, double *nearest)
 START_TEST(what_is_within_2_to_the_minus_82_of_a_midpoint_is_not_told)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         double side = stream_sign(&s), nearest;
         double x = i % 8 ? stream_real(&s, 1, 2) : 1; // below 1 an ulp is half
         dd y = near_midpoint(x, side, stream_real(&s, -1, 1) * 0x1p-82);
@@ -63,7 +63,7 @@ END_TEST
 START_TEST(what_is_2_to_the_minus_79_from_a_midpoint_is_told)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         double side = stream_sign(&s), beyond = stream_sign(&s), nearest;
         double x = i % 8 ? stream_real(&s, 1.5, 1.75) : 1;
         dd y = near_midpoint(x, side, beyond * 0x1p-79);

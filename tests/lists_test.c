@@ -36,9 +36,10 @@ START_TEST(lists_grow_and_shrink_as_their_model_does)
     printf("seed 1\n");
     gsl_rng_set(rng, 1);
     ck_assert_int_eq(brink_lists_create(&l, LISTS, sizeof(uint64_t)), 0);
-    for (uint64_t n = 0; n < 200000; n++) {
-        // Mostly longer for a while, then mostly shorter, and so on.
-        const int longer = gsl_rng_uniform(rng) < (n / 500 % 2 ? 0.8 : 0.2);
+    for (uint64_t n = 0; n < suite_share(200000); n++) {
+        // Mostly longer until they are all but full, then mostly shorter until
+        // most are empty, and so on: 0.6 * 2000 / LISTS = 60 items up or down.
+        const int longer = gsl_rng_uniform(rng) < (n / 2000 % 2 ? 0.8 : 0.2);
         const uint32_t i = (uint32_t)gsl_rng_uniform_int(rng, LISTS);
         if (longer ? m.count[i] == MOST : m.count[i] == 0)
             continue;

@@ -134,7 +134,7 @@ START_TEST(signs_are_exact_and_values_within_the_bound)
     for (int f = 0; f < PAIR_FAMILIES; f++) {
         stream random = stream_of_seed(SEED);
         scene s;
-        for (int i = 0; i < CASES_A_FAMILY; i++) {
+        for (int i = 0; i < (int)suite_share(CASES_A_FAMILY); i++) {
             pair_families[f].make(&random, &s.p);
             pair_families[f].make(&random, &s.plane);
             if (stream_int(&random, 0, 1))
@@ -200,7 +200,8 @@ END_TEST
 START_TEST(perpendicular_is_neither_coming_nor_going)
 {
     stream random = stream_of_seed(SEED);
-    for (int i = 0; i < 10000; i++) { // (a, b, ab).(b, -a, 0) = 0
+    for (int i = 0; i < (int)suite_share(10000); i++) {
+        // (a, b, a b).(b, -a, 0) = 0
         double a = stream_int(&random, -30000, 30000),
                b = stream_int(&random, -30000, 30000);
         const double r[3] = {a, b, a * b}, v[3] = {b, -a, 0};

@@ -10,7 +10,7 @@ enum { PATHS_IN_ALL = 3 };
 
 // Not weak, so that they are linked from an archive; where a build has one path
 // only, under the plain names, there is nothing to declare.
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined BRINK_ONE_PATH
 #define PATHS_OF(type, name) extern type name##_any, name##_fma, name##_avx512;
 #define PATHS(name)                                                              \
     {                                                                            \
@@ -27,7 +27,7 @@ enum { PATHS_IN_ALL = 3 };
 /** Whether path 0 (any), 1 (fma) or 2 (avx512) can be tried here. */
 static inline int can_try(int path)
 {
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined BRINK_ONE_PATH
     int fma = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     int avx512 = __builtin_cpu_supports("avx512f") &&
                  __builtin_cpu_supports("avx512dq") &&

@@ -50,7 +50,7 @@ START_TEST(count_is_exact_and_roots_are_within_the_bound)
     for (int f = 0; f < QUADRATIC_FAMILIES; f++) {
         stream s = stream_of_seed(SEED);
         quadratic_case q;
-        for (int i = 0; i < CASES_A_FAMILY; i++) {
+        for (int i = 0; i < (int)suite_share(CASES_A_FAMILY); i++) {
             quadratic_families[f].make(&s, &q);
             keep_both(quadratic_families[f].name, i, &q);
         }

@@ -52,7 +52,7 @@ START_TEST(roots_are_correctly_rounded)
     brink_dyadic bb, ac, d;
     mpfr_t exact, lower, upper;
     mpfr_inits2(BITS, a.m, b.m, c.m, exact, lower, upper, (mpfr_ptr)0);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         int bits = stream_int(&s, 3, 62),
             scale = stream_int(&s, 0, 1) ? 2000 : 60;
         set(&a, random_integer(&s, bits), stream_int(&s, -scale, scale));
@@ -84,7 +84,7 @@ START_TEST(quotients_are_correctly_rounded)
     number x, y;
     mpfr_t exact;
     mpfr_inits2(BITS, x.m, y.m, exact, (mpfr_ptr)0);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         int bits = stream_int(&s, 3, 62);
         set(&x, random_integer(&s, bits), stream_int(&s, -1200, 1200));
         set(&y, random_integer(&s, bits), stream_int(&s, -1200, 1200));
@@ -124,7 +124,7 @@ static double root_near_midpoint(int64_t m, int e, int nudge,
 START_TEST(midpoints_go_to_even_and_their_neighbours_to_their_side)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
         int e = stream_int(&s, -1074, 970);
         double down = ldexp((double)low, e), up = ldexp((double)(low + 1), e);
@@ -144,7 +144,7 @@ END_TEST
 START_TEST(a_double_root_halfway_between_two_doubles_goes_to_the_even_one)
 {
     stream s = stream_of_seed(SEED);
-    for (int i = 0; i < CASES; i++) {
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
         const int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
         const double even = (double)(low + low % 2);
         for (int sign = -1; sign <= 1; sign += 2) { // a (x - m)^2, a = sign

@@ -2,6 +2,7 @@
 #include "states.h"
 #include "suite.h"
 #include <gsl/gsl_rng.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -127,18 +128,111 @@ START_TEST(a_log_of_events_leaves_the_levels_of_a_plain_table)
 }
 END_TEST
 
-START_TEST(the_check_sees_particles_that_disagree)
+// Three species, each pair of them with a potential of its own: level k of the
+// pair (a, b), a <= b, has the energy 4^(3 a + b) 2^(k - 1), so that a sum tells
+// which.
+static double own_energy(int a, int b, int k)
+{
+    return ldexp(1.0, 2 * (a < b ? 3 * a + b : 3 * b + a) + k - 1);
+}
+
+START_TEST(every_pair_of_species_is_counted_at_its_own_energy)
+{
+    static const double distance[] = {3, 2};
+    const brink_species species[] = {
+        {"A", 1, 1, 2}, {"B", 1, 1, 2}, {"C", 1, 1, 2}};
+    const double box[3] = {30, 30, 30};
+    double energy[3][3][2];
+    brink_potential table[9];
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            energy[a][b][0] = own_energy(a, b, 1);
+            energy[a][b][1] = own_energy(a, b, 2);
+            // the last has the most levels
+            table[3 * a + b] =
+                (brink_potential){a + b == 0 ? 1 : 2, distance, energy[a][b]};
+        }
+    brink_system s;
+    brink_states t;
+    ck_assert_int_eq(brink_system_create(&s, 3, box, 1, 6, 3, species, table), 0);
+    for (uint32_t i = 0; i < 6; i++)
+        s.particle[i].species = i / 2;
+    memset(&t, 0xff, sizeof t); // whatever was there before
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    double sum = 0;
+    for (uint32_t i = 0; i < 6; i++)
+        for (uint32_t j = 0; j < i; j++) {
+            const int a = (int)j / 2, b = (int)i / 2;
+            for (int level = 1; level <= (a + b == 0 ? 1 : 2); level++) {
+                ck_assert_int_eq(brink_states_set(&t, &s, i, j, level), 0);
+                ck_assert_double_eq(brink_states_energy(&t, &s),
+                                    sum + own_energy(a, b, level));
+                ck_assert_ptr_null(brink_states_is_valid(&t, &s));
+            }
+            if ((i + j) % 2)
+                brink_states_set(&t, &s, j, i, 0);
+            else
+                sum += own_energy(a, b, a + b == 0 ? 1 : 2);
+        }
+    ck_assert_double_eq(brink_states_energy(&t, &s), sum);
+    brink_states_destroy(&t);
+    brink_states_destroy(&t); // of nothing
+    brink_system_destroy(&s);
+}
+END_TEST
+
+static void expect_fault(const brink_states *t, const brink_system *s,
+                         const char *word)
+{
+    const char *fault = brink_states_is_valid(t, s);
+    ck_assert_ptr_nonnull(fault);
+    ck_assert_msg(strstr(fault, word) != NULL, "\"%s\", not \"%s\"", fault, word);
+}
+
+// One thing is put wrong at a time, and right again.
+START_TEST(the_check_sees_what_is_wrong_and_says_so)
 {
     brink_system s;
     brink_states t;
     make(&s);
     ck_assert_int_eq(brink_states_create(&t, &s), 0);
-    brink_states_set(&t, &s, 0, 1, 1);
-    ((brink_link *)brink_lists_items(&t.links, 0))->level = 2;
-    ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
-    ((brink_link *)brink_lists_items(&t.links, 0))->level = 1;
-    t.pairs[1]++;
-    ck_assert_ptr_nonnull(brink_states_is_valid(&t, &s));
+    brink_states_set(&t, &s, 0, 1, 2);
+    brink_states_set(&t, &s, COUNT - 2, COUNT - 1, 1);
+    ck_assert_ptr_null(brink_states_is_valid(&t, &s));
+    brink_link *link = brink_lists_items(&t.links, 0);
+    const int strange[] = {INT_MIN, -1, 0, 3, INT_MAX};
+    for (int k = 0; k < 5; k++) { // A with A has 1, 2 and a core
+        link->level = strange[k];
+        expect_fault(&t, &s, "does not have");
+    }
+    link->level = 1;
+    expect_fault(&t, &s, "disagree");
+    link->level = 2;
+    const uint32_t nobody[] = {0, COUNT, UINT32_MAX};
+    for (int k = 0; k < 3; k++) {
+        link->partner = nobody[k];
+        expect_fault(&t, &s, "by itself or by nobody");
+    }
+    link->partner = 1;
+    t.links.used--;
+    expect_fault(&t, &s, "more than there are");
+    t.links.used += 2;
+    expect_fault(&t, &s, "belongs to nobody");
+    t.links.used--;
+    // every count of a pair of species is looked at: A A, A B, B A and B B
+    for (int k = 0; k < 4 * t.levels; k++) {
+        t.pairs[k]++;
+        expect_fault(&t, &s, "miscounted");
+        t.pairs[k] -= 2;
+        expect_fault(&t, &s, "miscounted");
+        t.pairs[k]++;
+    }
+    brink_states_set(&t, &s, 0, 2, 1); // and the second of a particle's links
+    link = brink_lists_items(&t.links, 0);
+    link[1].level = 0;
+    expect_fault(&t, &s, "does not have");
+    link[1].level = 1;
+    ck_assert_ptr_null(brink_states_is_valid(&t, &s));
     brink_states_destroy(&t);
     brink_system_destroy(&s);
 }
@@ -150,5 +244,6 @@ int main(void)
                      an_illegal_event_is_refused_and_changes_nothing,
                      the_energy_is_a_count_times_the_energies,
                      a_log_of_events_leaves_the_levels_of_a_plain_table,
-                     the_check_sees_particles_that_disagree);
+                     every_pair_of_species_is_counted_at_its_own_energy,
+                     the_check_sees_what_is_wrong_and_says_so);
 }

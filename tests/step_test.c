@@ -61,6 +61,17 @@ START_TEST(hard_spheres_know_cores_alone)
 }
 END_TEST
 
+START_TEST(a_square_well_is_left_or_bounced_in_and_has_a_core)
+{
+    static const int to[2][4] = {{-1, 1, -1, 0}, {1, -1, 0, 1}};
+    static const double depth[] = {-1, INF};
+    const brink_potential well = {2, distance, depth};
+    for (int level = 0; level < 2; level++)
+        for (int event = 0; event < 4; event++)
+            ck_assert_int_eq(next_of(&well, level, event), to[level][event]);
+}
+END_TEST
+
 START_TEST(what_is_no_level_or_no_event_is_refused)
 {
     const brink_potential *potentials[] = {&soft, &hard, &sphere};
@@ -104,6 +115,9 @@ END_TEST
 
 START_TEST(energies_and_rises_are_those_of_the_table)
 {
+    const double among[] = {12345, 1, 2, 12345}; // what is beside is not its
+    const brink_potential inside = {2, distance, among + 1};
+    ck_assert_double_eq(brink_potential_energy(&inside, 0), 0);
     ck_assert_double_eq(brink_potential_energy(&soft, 0), 0);
     ck_assert_double_eq(brink_potential_energy(&soft, 2), 2);
     ck_assert_double_eq(brink_potential_energy(&hard, 3), INF);
@@ -143,8 +157,9 @@ static int is_valid(int count, const double *d, const double *e)
 
 START_TEST(only_decreasing_distances_and_an_innermost_core_are_valid)
 {
-    ck_assert(brink_potential_is_valid(&soft) && brink_potential_is_valid(&hard));
-    ck_assert(brink_potential_is_valid(&sphere));
+    ck_assert_int_eq(brink_potential_is_valid(&soft), 1);
+    ck_assert_int_eq(brink_potential_is_valid(&hard), 1);
+    ck_assert_int_eq(brink_potential_is_valid(&sphere), 1);
     ck_assert(!brink_potential_is_valid(NULL));
     ck_assert(!is_valid(0, distance, soft_energy) &&
               !is_valid(-1, distance, soft_energy));
@@ -203,6 +218,7 @@ int main(void)
     return RUN_SUITE(
         "step", 60, a_soft_potential_leads_where_it_should,
         a_hard_core_is_never_entered, hard_spheres_know_cores_alone,
+        a_square_well_is_left_or_bounced_in_and_has_a_core,
         what_is_no_level_or_no_event_is_refused,
         levels_change_by_one_and_energies_by_the_rise,
         energies_and_rises_are_those_of_the_table,
