@@ -292,6 +292,19 @@ static void look_at_contact(witness *w, enum brink_direction way)
         witness_break(w, "an event of a pair that goes the other way: b = %a", b);
 }
 
+/* In through all steps and out again, and once more for a contact a rounding off.
+ * A pair that bounced on without time moving on would be held up for ever: the rim
+ * rule of <brink/impulse.h>. */
+static void look_at_progress(witness *w, const brink_happening *e, int again)
+{
+    const int steps = brink_system_potential(&w->begin, e->i, e->j)->count;
+    const int same = again && e->i == w->last.i && e->j == w->last.j;
+    w->repeats = same ? w->repeats + 1 : 0;
+    w->last = *e;
+    if (w->repeats > 2 * steps + 1)
+        witness_break(w, "%d events of one pair at one instant", w->repeats + 1);
+}
+
 static void count(witness *w, const brink_happening *e)
 {
     brink_tally *t = &w->counted;
@@ -300,6 +313,7 @@ static void count(witness *w, const brink_happening *e)
                       brink_instant_compare(e->when, w->since) == 0;
     ++*kinds[e->kind];
     t->zero_time += (uint64_t)again;
+    look_at_progress(w, e, again);
 }
 
 static void look_at_event(witness *w)

@@ -11,6 +11,8 @@
  *     contact   an event's pair is at its step, and was on its way to it
  *     path      between two events no pair, in no image, crosses a step: it stays
  *               in the shell that its level says
+ *     progress  a pair has no more events at one instant than a way in or out of
+ *               its steps has
  *     energy    with what is owed it is what it was
  *     momentum  is what it was
  *     tallies   are the log's
@@ -23,8 +25,10 @@ typedef struct witness {
     brink_instant since;        // when that was
     int *level;                 // the log's: [i * count + j], i < j
     brink_tally counted;        // from the log
+    brink_happening last;       // the event before
     long double energy;         // at first
     double momentum[3];
+    int repeats; // events of one pair, at one instant, one after another
     double speed, energy_most, momentum_most; // the largest so far
     double energies; // sum of |energy| over all pairs and finite steps
 } witness;
