@@ -101,6 +101,9 @@ static void set(book *b, stream *s)
     case 3:
         e.when = BRINK_NEVER;
         break;
+    case 4: // of a year gone by
+        e.when.epoch -= e.when.epoch > 0;
+        break;
     default:
         break;
     }

@@ -204,8 +204,10 @@ static void rooms(const script *p, image *f, stream *s)
     const uint64_t left = c.left;
     const size_t size = (size_t)stream_int(s, 1, 64);
     const size_t stored = (size_t)stream_int(s, 1, 64);
-    const uint64_t count =
-        stream_int(s, 0, 1) ? stream_bits(s) : (uint64_t)stream_int(s, 0, 100);
+    uint64_t count = (uint64_t)stream_int(s, 0, 100);
+    if (stream_int(s, 0,
+                   1)) // so many that the product is a small one, modulo 2^64
+        count += UINT64_MAX / stored + 1;
     unsigned char *room = brink_code_room(&c, NULL, count, size, stored);
     const int fits = count <= left / stored;
     if (fits != (room != NULL) || fits != (c.fault == NULL))

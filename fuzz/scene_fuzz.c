@@ -461,8 +461,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static text t;
     stream s = stream_of_bytes(data, size);
-    // A scene of its own begins with no control character but a line's end.
-    if (size > 0 && (data[0] >= ' ' || data[0] == '\n')) {
+    // What begins as scenes do is one.
+    if (size > 0 && memchr("\nabdoprst#{-'\"\xef", data[0], 16)) {
         t.size = size < LONGEST ? size : LONGEST;
         memcpy(t.byte, data, t.size);
         take(&t, 0);

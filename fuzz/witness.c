@@ -2,6 +2,8 @@
 #include "witness.h"
 #include "adverse.h"
 #include "fuzz.h"
+#include <brink/impulse.h>
+#include <brink/overlap.h>
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -305,6 +307,35 @@ static void look_at_progress(witness *w, const brink_happening *e, int again)
         witness_break(w, "%d events of one pair at one instant", w->repeats + 1);
 }
 
+/* Who is turned back goes the other way afterwards: from a step's inside at the
+ * angle of the rim rule or more, from its outside, or a core, not in again, unless
+ * the two move together so fast that their roundings hide it. */
+static void look_at_parting(const witness *w, enum brink_direction way)
+{
+    const brink_system *s = &w->run->system;
+    const brink_happening *e = &w->run->last;
+    const double *vi = s->particle[e->i].v, *vj = s->particle[e->j].v;
+    double r[3], v[3], square = 0, speed = 0, together = 0, b = 0;
+    if (e->level_before != e->level_after)
+        return;
+    brink_system_separation(s, e->i, e->j, e->when.offset, r);
+    for (int a = 0; a < 3; a++) {
+        v[a] = vi[a] - vj[a];
+        square += r[a] * r[a];
+        speed += v[a] * v[a];
+        together += vi[a] * vi[a] + vj[a] * vj[a];
+        b += r[a] * v[a];
+    }
+    // At that angle b is 2^-24 |r| |v|, and roundings are 2^-50 of |r| together.
+    if (!(speed > 0x1p-40 * together))
+        return;
+    if (way == BRINK_OUTWARD &&
+        -b < BRINK_RIM_ANGLE * (1 - 0x1p-4) * sqrt(square * speed))
+        witness_break(w, "a bounce along the rim: b = %a", b);
+    if (way == BRINK_INWARD && brink_ball_overlap_rate_sign(r, v) < 0)
+        witness_break(w, "turned back, and still going in: b = %a", b);
+}
+
 static void count(witness *w, const brink_happening *e)
 {
     brink_tally *t = &w->counted;
@@ -328,6 +359,7 @@ static void look_at_event(witness *w)
     if (brink_instant_compare(e->when, w->run->now) != 0)
         witness_break(w, "an event at another instant than now");
     look_at_contact(w, way);
+    look_at_parting(w, way);
     count(w, e);
     *level = e->level_after;
 }
@@ -389,8 +421,8 @@ static void look_at_tallies(const witness *w)
         witness_break(
             w, "%" PRIu64 " events at one instant with another, not %" PRIu64,
             t->zero_time, c->zero_time);
-    if (t->refused != 0 || t->rim > t->bounce || !isfinite(t->virial.sum) ||
-        t->clamped > brink_tally_events(t))
+    if (t->refused != 0 || t->rim > t->bounce + t->core ||
+        !isfinite(t->virial.sum) || t->clamped > brink_tally_events(t))
         witness_break(w, "an anomaly that cannot be");
     if (t->contact_error_max != c->contact_error_max)
         witness_break(w, "the largest contact error is %a, not %a",

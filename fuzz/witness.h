@@ -11,6 +11,7 @@
  *     contact   an event's pair is at its step, and was on its way to it
  *     path      between two events no pair, in no image, crosses a step: it stays
  *               in the shell that its level says
+ *     parting   who is turned back goes the other way, on the rim at an angle
  *     progress  a pair has no more events at one instant than a way in or out of
  *               its steps has
  *     energy    with what is owed it is what it was

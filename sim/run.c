@@ -3,6 +3,7 @@
 #include "run_ahead.h"
 #include "run_predict.h"
 #include <brink/impulse.h>
+#include <brink/overlap.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -38,6 +39,18 @@ static enum brink_run_status move_on(brink_run *run, const brink_entry *entry)
     return status;
 }
 
+// The rim rule seen from outside.  A pair that all but slides along a core or a
+// shoulder is turned by less than its velocities are rounded to: it would come
+// again at this instant, for ever.
+static int turn_away(brink_run *run, const double r[3], double ma, double mb,
+                     brink_particle *a, brink_particle *b)
+{
+    const double back[3] = {-r[0], -r[1], -r[2]};
+    const double v[3] = {a->v[0] - b->v[0], a->v[1] - b->v[1], a->v[2] - b->v[2]};
+    return brink_ball_overlap_rate_sign(r, v) < 0 &&
+           brink_rim_impulse_balanced(back, ma, mb, a->v, b->v, &run->owed);
+}
+
 // Velocities after the meeting; what happened.
 static enum brink_event_kind resolve(brink_run *run, const double r[3],
                                      double rise, enum brink_direction way,
@@ -59,6 +72,8 @@ static enum brink_event_kind resolve(brink_run *run, const double r[3],
         run->tally.rim += (uint64_t)brink_rim_impulse_balanced(r, ma, mb, a->v,
                                                                b->v, &run->owed);
     }
+    if (way == BRINK_INWARD && kind != BRINK_CAPTURE)
+        run->tally.rim += (uint64_t)turn_away(run, r, ma, mb, a, b);
     brink_sum_add(&run->tally.virial, virial);
     a->generation++;
     b->generation++;

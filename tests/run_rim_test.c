@@ -126,8 +126,57 @@ START_TEST(pairs_at_a_shoulder_are_let_go)
 }
 END_TEST
 
+/* Found by fuzz/run_fuzz.c: heavy discs in contact at their cores, their relative
+ * velocity along the tangent but for 2^-54 of it.  What the impulse changed was less
+ * than a rounding of velocities three times as large, so the two met again at the
+ * same instant, 1034 times; then the run stopped. */
+static void slide_along(const brink_potential *p, int level)
+{
+    const double box[3] = {0x1.54bc7fcac0832p+2, 0x1.54bc7fcac0832p+2, 1};
+    const brink_species species = {"A", 64, 0.5, 2};
+    const brink_particle pair[2] = {
+        {.x = {0x2c829abe1f453200, 0xc584133ac916a800},
+         .v = {0x1.11e3f5797548ap-1, 0x1.99b82a15d79bap+0}},
+        {.x = {0x28a0725c18066000, 0xadca21d906abf000},
+         .v = {0x1.0743aea947e4cp+0, 0x1.850b43755b883p+0}}};
+    for (int tier = BRINK_TIER_FAST; tier <= BRINK_TIER_CR; tier++) {
+        brink_system s;
+        brink_run run;
+        ck_assert_int_eq(brink_system_create(&s, 2, box, 2, 2, 1, &species, p),
+                         0);
+        s.particle[0] = pair[0];
+        s.particle[1] = pair[1];
+        ck_assert_int_eq(brink_run_create(&run, &s, (enum brink_tier)tier), 0);
+        brink_states_set(&run.states, &run.system, 0, 1, level);
+        brink_predict(&run, 0, 0.0);
+        brink_predict(&run, 1, 0.0);
+        const double energy = brink_run_energy(&run) + run.owed;
+        advance(&run, 1);
+        ck_assert_uint_eq(run.tally.rim, 1);
+        ck_assert_uint_eq(run.tally.clamped, 1);
+        ck_assert_int_eq(brink_states_level(&run.states, 0, 1), level);
+        advance(&run, 20);
+        ck_assert_msg(run.tally.zero_time == 0, "%lu events at one instant",
+                      (unsigned long)run.tally.zero_time);
+        // A rounding of each of the two sums, and of this one.
+        ck_assert_double_le(fabs(brink_run_energy(&run) + run.owed - energy),
+                            4 * DBL_EPSILON * run.kinetic_begin);
+        brink_run_destroy(&run);
+    }
+}
+
+START_TEST(pairs_that_slide_along_a_core_or_a_shoulder_go_on)
+{
+    const double distance[] = {0.6655000000000002, 0.5};
+    const double core[] = {-2, (double)INFINITY}, step[] = {-2, 1e9};
+    slide_along(&(brink_potential){2, distance, core}, 1);
+    slide_along(&(brink_potential){2, distance, step}, 1);
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("run, rim", 300, captured_pairs_on_the_rim_make_progress,
-                     pairs_at_a_shoulder_are_let_go);
+                     pairs_at_a_shoulder_are_let_go,
+                     pairs_that_slide_along_a_core_or_a_shoulder_go_on);
 }
