@@ -168,7 +168,8 @@ static int images_in_reach(long double x, long double v, long double h,
     int n = 0;
     for (int shift = -1; shift <= 1; shift++) {
         const long double here = x + shift * length, there = here + v * h;
-        if (fminl(here, there) <= reach && fmaxl(here, there) >= -reach)
+        if (!((here > reach && there > reach) ||
+              (here < -reach && there < -reach)))
             at[n++] = here;
     }
     return n;
