@@ -3,7 +3,6 @@
 #include "run_ahead.h"
 #include "run_predict.h"
 #include <brink/impulse.h>
-#include <brink/overlap.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -40,14 +39,20 @@ static enum brink_run_status move_on(brink_run *run, const brink_entry *entry)
 }
 
 // The rim rule seen from outside.  A pair that all but slides along a core or a
-// shoulder is turned by less than its velocities are rounded to: it would come
-// again at this instant, for ever.
+// shoulder is turned by less than its velocities are rounded to, or than a tier can
+// tell from going in, 3 2^-53 of the sum: it would come again at this instant, for
+// ever.
 static int turn_away(brink_run *run, const double r[3], double ma, double mb,
                      brink_particle *a, brink_particle *b)
 {
     const double back[3] = {-r[0], -r[1], -r[2]};
-    const double v[3] = {a->v[0] - b->v[0], a->v[1] - b->v[1], a->v[2] - b->v[2]};
-    return brink_ball_overlap_rate_sign(r, v) < 0 &&
+    double rate = 0, sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const double product = r[k] * (a->v[k] - b->v[k]);
+        rate += product;
+        sum += fabs(product);
+    }
+    return rate <= 0x1p-50 * sum &&
            brink_rim_impulse_balanced(back, ma, mb, a->v, b->v, &run->owed);
 }
 
