@@ -222,16 +222,20 @@ static void move_plainly(maker *m, uint32_t i)
         memcpy(v, s->particle[i - 1].v, sizeof s->particle->v);
 }
 
+static void move_thermally(maker *m, uint32_t i, double speed)
+{
+    for (int a = 0; a < m->system->dimensions; a++)
+        m->system->particle[i].v[a] = speed * stream_normal(m->s);
+}
+
 static void move_anyhow(maker *m, uint32_t i)
 {
-    const double scale = PICK(m->s, 1, 1, 1, 1, 0x1p-20, 0x1p10, 1e-9);
-    for (int a = 0; a < m->system->dimensions; a++)
-        m->system->particle[i].v[a] = scale * stream_normal(m->s);
+    move_thermally(m, i, PICK(m->s, 1, 1, 1, 1, 0x1p-20, 0x1p10, 1e-9));
 }
 
 // --- The whole -----------------------------------------------------------------
 
-enum family { PAIRS, WALLS, ROW, GRID, ANYWHERE, MIXED, CROWD, FAMILIES };
+enum family { PAIRS, WALLS, ROW, GRID, ANYWHERE, MIXED, CROWD, FAMILIES, FEW };
 
 static void place(maker *m, uint32_t i)
 {
@@ -269,6 +273,10 @@ static void place(maker *m, uint32_t i)
             move_anyhow(m, i);
         else
             move_plainly(m, i);
+        break;
+    case FEW:
+        place_anywhere(m, i);
+        move_thermally(m, i, 1);
         break;
     default:
         place_anywhere(m, i);
@@ -319,25 +327,35 @@ static void place_all(maker *m, uint32_t count)
     }
 }
 
-void adverse_make(stream *s, brink_system *system)
+static void make(stream *s, brink_system *system, int family, uint32_t most)
 {
     const int dimensions = stream_int(s, 2, 3);
-    maker m = {s, system, 0, stream_int(s, 0, FAMILIES - 1)};
-    if (m.family == CROWD) {
+    maker m = {s, system, 0, family};
+    uint32_t count = 64;
+    if (family == CROWD) {
         // Lists are kept of three others in range and more (see sim/neighbours.c):
         // 8 along the side of a box of 8 ranges have pi, if it were all core.
-        make_empty(&m, 64, 1, 2, PICK(s, 8, 8 + 0x1p-40, 8.1, 8.15));
-        place_all(&m, 64);
+        make_empty(&m, count, 1, 2, PICK(s, 8, 8 + 0x1p-40, 8.1, 8.15));
     } else {
         const int kinds = stream_int(s, 1, ADVERSE_KINDS);
-        const uint32_t count = (uint32_t)stream_int(s, 2, 16);
+        count = (uint32_t)stream_int(s, 2, (int)most);
         make_empty(&m, count, kinds, dimensions, 0);
-        place_all(&m, count);
     }
+    place_all(&m, count);
     keep_placed(system, m.placed);
     if (stream_int(s, 0, 1))
         round_places(system);
     system->year = brink_kinetic_year(system);
+}
+
+void adverse_make(stream *s, brink_system *system)
+{
+    make(s, system, stream_int(s, 0, FAMILIES - 1), 16);
+}
+
+void adverse_make_few(stream *s, brink_system *system)
+{
+    make(s, system, FEW, 5);
 }
 
 void adverse_copy(brink_system *to, const brink_system *from)

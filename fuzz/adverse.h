@@ -24,6 +24,10 @@ enum { ADVERSE_MOST = 72, ADVERSE_STEPS = 4, ADVERSE_KINDS = 3 };
  * kept. */
 void adverse_make(stream *s, brink_system *system);
 
+/** 2 to 5 particles anywhere, near nothing but by chance, and of speeds near 1: a
+ *  kinetic energy that is lost in the rounding of a depth decides nothing. */
+void adverse_make_few(stream *s, brink_system *system);
+
 /** A copy, particles and all. */
 void adverse_copy(brink_system *to, const brink_system *from);
 
