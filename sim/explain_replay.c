@@ -23,12 +23,12 @@ static int start(brink_replay *replay, const brink_scene *scene, const char *nam
     return -1;
 }
 
-int brink_replay_of_scene(brink_replay *replay, const char *path, int has_seed,
+int brink_replay_of_scene(brink_replay *replay, const char *name, int has_seed,
                           uint64_t seed, enum brink_tier tier)
 {
     brink_scene scene;
     memset(replay, 0, sizeof *replay);
-    if (brink_scene_read(path, &scene, stderr))
+    if (brink_scene_read(name, &scene, stderr))
         return -1;
     if (has_seed)
         scene.seed = seed;
@@ -36,7 +36,7 @@ int brink_replay_of_scene(brink_replay *replay, const char *path, int has_seed,
     replay->events = brink_scene_events(&scene);
     replay->until =
         scene.target == BRINK_TARGET_TIME ? scene.target_value : (double)INFINITY;
-    const int status = start(replay, &scene, path, tier);
+    const int status = start(replay, &scene, name, tier);
     brink_scene_destroy(&scene);
     return status;
 }

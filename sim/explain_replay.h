@@ -31,7 +31,7 @@ typedef struct brink_asked {
 } brink_asked;
 
 /** Before the first event of a scene's run ... */
-int brink_replay_of_scene(brink_replay *replay, const char *scene, int has_seed,
+int brink_replay_of_scene(brink_replay *replay, const char *name, int has_seed,
                           uint64_t seed, enum brink_tier tier);
 /** ... or at the newest checkpoint of a folder's run from before `event`; at its
  * beginning where there is none.  Both: 0; -1 after a complaint, *replay

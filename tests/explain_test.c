@@ -351,7 +351,7 @@ END_TEST
 // --- A pair by itself ----------------------------------------------------------
 
 static const double shoulder_distance[] = {3, 1},
-                    shoulder_energy[] = {1, INFINITY};
+                    shoulder_energy[] = {1, (double)INFINITY};
 static const brink_potential shoulder = {2, shoulder_distance, shoulder_energy};
 
 static char *meeting(brink_explained *pair, enum brink_direction way)
@@ -398,10 +398,11 @@ START_TEST(every_answer_has_its_reason)
 }
 END_TEST
 
-/* On the inside of a well, all but along it: what it takes to be turned inward. */
+/* On the inside of a well, all but along it: what it takes to be turned
+ * inward. */
 START_TEST(the_rim_rule_is_named)
 {
-    static const double energy[] = {-1, INFINITY};
+    static const double energy[] = {-1, (double)INFINITY};
     static const brink_potential well = {2, shoulder_distance, energy};
     brink_explained pair = {.r = {3, 0, 0},
                             .v1 = {1e-12, 1, 0},
