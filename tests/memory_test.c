@@ -187,6 +187,7 @@ static int refuse_some(int attempt(void), const char *what)
 
 static void read_scene(const char *of)
 {
+    brink_scene_destroy(&scene); // the one before, or nothing
     text = of;
     nowhere = fopen("/dev/null", "w");
     ck_assert_int_eq(
@@ -212,6 +213,7 @@ START_TEST(a_scene_without_memory_is_an_error)
     ck_assert_int_gt(refuse_each(attempt_scene, "mixture"), 10);
     read_scene(few_in_rows);
     ck_assert_int_gt(refuse_each(attempt_scene, "spheres"), 10);
+    brink_scene_destroy(&scene);
 }
 END_TEST
 
@@ -221,6 +223,7 @@ START_TEST(a_start_without_memory_is_an_error)
     ck_assert_int_gt(refuse_each(attempt_start, "at random"), 3);
     read_scene(few_in_rows);
     ck_assert_int_gt(refuse_each(attempt_start, "on a lattice"), 3);
+    brink_scene_destroy(&scene);
 }
 END_TEST
 
@@ -232,6 +235,7 @@ START_TEST(a_run_without_memory_stops)
     ck_assert_int_gt(refuse_some(attempt_run, "a well"), 10);
     read_scene(crowded_spheres);
     ck_assert_int_gt(refuse_some(attempt_run, "lists"), 10);
+    brink_scene_destroy(&scene);
 }
 END_TEST
 
