@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
 #include "run_ahead.h"
+#include "run_meeting.h"
 #include "run_predict.h"
-#include <brink/impulse.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -47,22 +47,13 @@ static enum brink_event_kind resolve(brink_run *run, const double r[3],
     brink_particle *a = &s->particle[i], *b = &s->particle[j];
     const double ma = s->species[a->species].mass,
                  mb = s->species[b->species].mass;
-    enum brink_event_kind kind = BRINK_BOUNCE;
-    double virial;
-    if (isinf(rise)) {
-        kind = BRINK_CORE;
-        virial = brink_core_impulse_balanced(r, ma, mb, a->v, b->v, &run->owed);
-    } else if (brink_step_impulse_balanced(r, ma, mb, rise, way, a->v, b->v,
-                                           &virial, &run->owed)) {
-        kind = way == BRINK_INWARD ? BRINK_CAPTURE : BRINK_RELEASE;
-    } else if (way == BRINK_OUTWARD) {
-        run->tally.rim += (uint64_t)brink_rim_impulse_balanced(r, ma, mb, a->v,
-                                                               b->v, &run->owed);
-    }
-    brink_sum_add(&run->tally.virial, virial);
+    const brink_meeting met =
+        brink_meeting_at(r, ma, mb, rise, way, a->v, b->v, &run->owed);
+    run->tally.rim += (uint64_t)met.rim;
+    brink_sum_add(&run->tally.virial, met.virial);
     a->generation++;
     b->generation++;
-    return kind;
+    return met.kind;
 }
 
 static void count_event(brink_run *run, const brink_entry *entry,
@@ -127,6 +118,13 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
                                                       : BRINK_RUN_REACHED;
 }
 
+// Of a pair's entry: the partner of who keeps it has changed since.
+static int is_stale(const brink_run *run, uint32_t slot, const brink_entry *entry)
+{
+    const uint32_t partner = slot == entry->i ? entry->j : entry->i;
+    return run->system.particle[partner].generation != entry->generation;
+}
+
 static enum brink_run_status execute(brink_run *run, uint32_t slot)
 {
     const brink_entry entry = run->calendar.entry[slot];
@@ -136,8 +134,7 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
     run->now = entry.when;
     if (entry.kind == BRINK_ENTRY_CELL)
         return move_on(run, &entry);
-    const uint32_t partner = slot == entry.i ? entry.j : entry.i;
-    if (s->particle[partner].generation != entry.generation) {
+    if (is_stale(run, slot, &entry)) {
         run->tally.stale++;
         brink_predict(run, slot, entry.when.offset);
         return BRINK_RUN_REACHED;
@@ -164,6 +161,18 @@ enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
             return status;
     }
     return BRINK_RUN_REACHED;
+}
+
+int brink_run_is_event(const brink_run *run, uint32_t slot)
+{
+    const brink_entry *entry = &run->calendar.entry[slot];
+    return entry->kind != BRINK_ENTRY_CELL && !is_stale(run, slot, entry);
+}
+
+enum brink_run_status brink_run_step(brink_run *run)
+{
+    const uint32_t slot = brink_calendar_next(&run->calendar);
+    return slot == run->calendar.slots ? BRINK_RUN_AT_REST : execute(run, slot);
 }
 
 // The images: every combination of -L, 0, L on the axes that have three.

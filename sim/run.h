@@ -94,6 +94,14 @@ const char *brink_run_is_valid(const brink_run *run);
 enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
                                         brink_instant until);
 
+/** One entry of the calendar, for those who look at a run closer than event by
+ * event: an event, a crossing or departure, or a prediction made anew.  Which it
+ * will be, brink_calendar_next says. */
+enum brink_run_status brink_run_step(brink_run *run);
+/** Whether a slot holds a pair's event that stands: neither a crossing or
+ * departure, nor one that is stale. */
+int brink_run_is_event(const brink_run *run, uint32_t slot);
+
 /** One or more lines on why a run stopped: the pair, its level, r and v in hex.
  */
 void brink_run_diagnosis(const brink_run *run, enum brink_run_status status,

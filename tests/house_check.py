@@ -16,7 +16,7 @@ import sys
 # Top to bottom, as in DESIGN; a room includes only what lies below it.
 FLOORS = """
     main
-    study
+    study explain
     conventional session
     report checkpoint observe start
     snapshot

@@ -1,40 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Memory that is out at any allocation: what asked for it says -1 and keeps
 // nothing, or what it had.
+#include "rationed.h"
 #include "run.h"
 #include "suite.h"
 #include "systems.h"
 #include <string.h>
-
-// By the names that the linker's --wrap gives to what is called, and to who asks.
-void *real_malloc(size_t size) __asm__("__real_malloc");
-void *real_calloc(size_t n, size_t size) __asm__("__real_calloc");
-void *real_realloc(void *p, size_t size) __asm__("__real_realloc");
-void *rationed_malloc(size_t size) __asm__("__wrap_malloc");
-void *rationed_calloc(size_t n, size_t size) __asm__("__wrap_calloc");
-void *rationed_realloc(void *p, size_t size) __asm__("__wrap_realloc");
-
-static long ration = -1; // allocations until one fails; below 0: none does
-
-static int is_refused(void)
-{
-    return ration >= 0 && ration-- == 0;
-}
-
-void *rationed_malloc(size_t size)
-{
-    return is_refused() ? NULL : real_malloc(size);
-}
-
-void *rationed_calloc(size_t n, size_t size)
-{
-    return is_refused() ? NULL : real_calloc(n, size);
-}
-
-void *rationed_realloc(void *p, size_t size)
-{
-    return is_refused() ? NULL : real_realloc(p, size);
-}
 
 typedef int make(void); // 0, and nothing of it is left; -1 no memory
 
@@ -43,10 +14,8 @@ typedef int make(void); // 0, and nothing of it is left; -1 no memory
 static long all_refused(make *something)
 {
     for (long k = 0;; k++) {
-        ration = k;
-        const int status = something();
-        const int was_refused = ration < 0;
-        ration = -1;
+        int was_refused;
+        const int status = with_ration(something, k, &was_refused);
         ck_assert_msg(status == (was_refused ? -1 : 0), "allocation %ld: %d", k,
                       status);
         if (!was_refused)
@@ -146,7 +115,7 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("no_memory", 60,
+    return RUN_SUITE("memory_rooms", 60,
                      who_is_refused_memory_says_so_and_keeps_none,
                      a_level_that_finds_no_memory_is_not_set,
                      a_run_that_finds_no_memory_is_not_begun);
