@@ -101,6 +101,7 @@ static uint32_t next_event(brink_replay *replay, enum brink_run_status *status)
 {
     brink_run *run = &replay->run;
     const uint32_t nobody = run->calendar.slots;
+    const uint64_t last = run->tally.cell + BRINK_PATIENCE;
     *status = BRINK_RUN_REACHED;
     while (*status == BRINK_RUN_REACHED) {
         const uint32_t slot = brink_calendar_next(&run->calendar);
@@ -110,7 +111,7 @@ static uint32_t next_event(brink_replay *replay, enum brink_run_status *status)
             return nobody;
         if (slot != nobody && brink_run_is_event(run, slot))
             return slot;
-        *status = brink_run_step(run);
+        *status = run->tally.cell > last ? BRINK_RUN_QUIET : brink_run_step(run);
     }
     return nobody;
 }
@@ -122,6 +123,8 @@ static void complain_of_end(const brink_replay *replay, const char *name,
     char why[2000] = "its target is reached";
     if (status == BRINK_RUN_AT_REST)
         snprintf(why, sizeof why, "nothing moves: there is no further event");
+    else if (status == BRINK_RUN_QUIET)
+        snprintf(why, sizeof why, "nobody has met anybody for long");
     else if (status != BRINK_RUN_REACHED)
         brink_run_diagnosis(&replay->run, status, why, sizeof why);
     fprintf(stderr,

@@ -145,7 +145,11 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
 enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
                                         brink_instant until)
 {
-    while (brink_tally_events(&run->tally) < events) {
+    uint64_t crossed = run->tally.cell; // by the time of the last event
+    uint64_t done = brink_tally_events(&run->tally);
+    while (done < events) {
+        if (run->tally.cell > crossed + BRINK_PATIENCE)
+            return BRINK_RUN_QUIET;
         const uint32_t slot = brink_calendar_next(&run->calendar);
         const int at_rest = slot == run->calendar.slots;
         if (at_rest ||
@@ -159,6 +163,9 @@ enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
         const enum brink_run_status status = execute(run, slot);
         if (status != BRINK_RUN_REACHED)
             return status;
+        const uint64_t now = brink_tally_events(&run->tally);
+        crossed = now > done ? run->tally.cell : crossed;
+        done = now;
     }
     return BRINK_RUN_REACHED;
 }
@@ -296,6 +303,7 @@ void brink_run_diagnosis(const brink_run *run, enum brink_run_status status,
         [BRINK_RUN_REACHED] = "the run reached its target",
         [BRINK_RUN_AT_REST] = "nothing moves: there is no further event",
         [BRINK_RUN_STUCK] = "events go on but the clock does not",
+        [BRINK_RUN_QUIET] = "nobody has met anybody for long",
         [BRINK_RUN_REFUSED] = "the state machine refused an event",
         [BRINK_RUN_NO_MEMORY] = "memory is out",
     };

@@ -73,10 +73,16 @@ enum brink_run_status {
     BRINK_RUN_REACHED, // the target
     BRINK_RUN_AT_REST, // nothing will ever happen again; time targets are reached
     BRINK_RUN_STUCK, // events go on, the clock does not: see brink_run_diagnosis
+    BRINK_RUN_QUIET, // BRINK_PATIENCE crossings of cells, and no event: there may
+                     // be none; who wants to know goes on
     BRINK_RUN_REFUSED, // the state machine refused an event: see
                        // brink_run_diagnosis
     BRINK_RUN_NO_MEMORY
 };
+
+/** Particles that never meet cross cells for ever: after as many crossings as take
+ * a second or so, whoever waits is asked whether to go on. */
+#define BRINK_PATIENCE (1u << 18)
 
 /** Takes over the system (which is empty afterwards) as a configuration first
  * made: cells and levels from position, everything predicted.  0, -1 no memory.

@@ -2,8 +2,8 @@
 #ifndef TESTS_RATIONED_H
 #define TESTS_RATIONED_H
 /**
- * Memory that runs out, at any allocation one likes.  The linker's --wrap puts what
- * is below between the program and the C library: see tests/CMakeLists.txt.
+ * Memory that runs out, at any allocation one likes.  The linker's --wrap puts
+ * what is below between the program and the C library: see tests/CMakeLists.txt.
  */
 #include <stdlib.h>
 
