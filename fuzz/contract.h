@@ -13,9 +13,13 @@
 void contract_case(const problem *p, stream *s, int movable,
                    double x[PROBLEM_INPUTS]);
 
-/** Puts that case to all of the problem's kernels of this rank. */
+/** Puts that case, and the right answer to it, to all of the problem's kernels of
+ *  this rank. */
 void contract_check(const problem *p, enum rank rank,
-                    const double x[PROBLEM_INPUTS]);
+                    const double x[PROBLEM_INPUTS], const truth *right);
+
+/** The problem's first kernel of this rank, as a number for contract_answer. */
+int contract_kernel(const problem *p, enum rank rank);
 
 /** What the k-th method answers: outputs as the problem has them. */
 int contract_answer(const problem *p, int k, const double x[PROBLEM_INPUTS],

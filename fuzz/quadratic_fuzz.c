@@ -89,8 +89,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     stream s = stream_of_bytes(data, size);
     double x[PROBLEM_INPUTS];
     contract_case(&problem_quadratic, &s, 3, x);
-    contract_check(&problem_quadratic, RANK_PLAIN, x);
-    contract_check(&problem_quadratic, RANK_CR, x);
+    truth right = {0};
+    problem_quadratic.solve(x, &right);
+    contract_check(&problem_quadratic, RANK_PLAIN, x, &right);
+    contract_check(&problem_quadratic, RANK_CR, x, &right);
     laws(x);
     scaling(x, &s);
     for (int k = 0; k < 2; k++)
