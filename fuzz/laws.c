@@ -172,8 +172,8 @@ static void scale(const trial *t, stream *s)
 
 static void leave_domain(const trial *t, stream *s)
 {
-    static const double bad[] = {(double)NAN, (double)INFINITY,
-                                 -(double)INFINITY, -1};
+    static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY,
+                                 -1};
     double x[PROBLEM_INPUTS];
     memcpy(x, t->x, sizeof x);
     const int i = stream_int(s, 0, t->law->problem->width - 1);

@@ -82,9 +82,9 @@ static void check_energies(const well *w, int level)
         broken(w, "energy", level, 0, 0);
     const int is_level = level >= 0 && level <= deepest(w);
     for (int way = -1; way <= 1; way += 2) {
-        const double rise =
-            is_level ? energy_of(w, level - way) - energy_of(w, level)
-                     : (double)NAN;
+        const double rise = is_level
+                                ? energy_of(w, level - way) - energy_of(w, level)
+                                : (double)NAN;
         if (!equal(brink_step_rise(&w->p, level, (enum brink_direction)way),
                    rise))
             broken(w, "rise", level, way, 0);
@@ -123,7 +123,8 @@ static void check_log(const well *w, stream *s)
         const int event = stream_int(s, -1, 4), before = level;
         const int legal = next_of(w, level, event) >= 0;
         level = step_to(w, level, event);
-        counted += legal ? (event == BRINK_CAPTURE) - (event == BRINK_RELEASE) : 0;
+        counted +=
+            legal ? (event == BRINK_CAPTURE) - (event == BRINK_RELEASE) : 0;
         if (level != counted || level < 0 || level > deepest(w))
             broken(w, "the log", before, event, level);
     }
@@ -198,11 +199,11 @@ static void check_virtual_states(const well *w, stream *s)
  *  is changed. */
 static void make_well(well *w, stream *s)
 {
-    static const double odd[] = {(double)INFINITY, -(double)INFINITY,
-                                 (double)NAN, 0, -1};
+    static const double odd[] = {(double)INFINITY, -(double)INFINITY, (double)NAN,
+                                 0, -1};
     double d = stream_scaled(s, 0, 4);
-    w->p = (brink_potential){stream_int(s, 1, MOST_STEPS), w->distance,
-                             w->energy};
+    w->p =
+        (brink_potential){stream_int(s, 1, MOST_STEPS), w->distance, w->energy};
     d = stream_int(s, 0, 3) ? fabs(d) : stream_int(s, 1, 1000);
     for (int k = 0; k < w->p.count; k++) {
         w->distance[k] = d;

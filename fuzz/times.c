@@ -71,15 +71,15 @@ static void find_path(whole_pair *p)
 /** sigma is near |r|, or near how closely the pair passes, or any. */
 static double some_radius(stream *s, const whole_pair *p, int bits)
 {
-    const double rr = (double)p->c, nearest = rr - (double)(p->b * p->b) /
-                                                       (double)p->a;
+    const double rr = (double)p->c,
+                 nearest = rr - (double)(p->b * p->b) / (double)p->a;
     switch (stream_int(s, 0, 2)) {
     case 0:
         return fmax(0, rint(sqrt(rr)) + stream_int(s, -1, 1));
     case 1:
-        return p->a > 0 ? fmax(0, rint(sqrt(fabs(nearest))) +
-                                      stream_int(s, -1, 1))
-                        : 0;
+        return p->a > 0
+                   ? fmax(0, rint(sqrt(fabs(nearest))) + stream_int(s, -1, 1))
+                   : 0;
     default:
         return stream_int(s, 0, 1 << bits);
     }
