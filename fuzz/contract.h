@@ -2,8 +2,9 @@
 #ifndef FUZZ_CONTRACT_H
 #define FUZZ_CONTRACT_H
 /**
- * The contract of a kernel, put to the exact oracle of tests/problem_*.c: whether,
- * always right; when and how much, within the bound that its header states.
+ * The contract of a kernel, put to the exact oracle of tests/problem_*.c:
+ * whether, always right; when and how much, within the bound that its header
+ * states.
  */
 #include "../tests/problems_all.h"
 #include "fuzz.h"

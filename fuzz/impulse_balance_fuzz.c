@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The account of energy: nothing is lost from it, what can be paid is, and nothing
-// else follows from what is owed.
+// The account of energy: nothing is lost from it, what can be paid is, and
+// nothing else follows from what is owed.
 #include <brink/impulse.h>
 
 #include "impulse_cases.h"

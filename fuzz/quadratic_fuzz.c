@@ -31,8 +31,8 @@ static void keep(const char *law, const double q[3], const roots *a,
     finding_end();
 }
 
-/** Laws that hold bit for bit for the nearest doubles; of the plain roots, whose last
- * bits may go either way, the contract says it all. */
+/** Laws that hold bit for bit for the nearest doubles; of the plain roots, whose
+ * last bits may go either way, the contract says it all. */
 static void laws(const double q[3])
 {
     const roots of_q = solve(brink_quadratic_roots_cr, q);

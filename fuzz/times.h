@@ -7,15 +7,15 @@
 
 typedef double time_kernel(const double r[3], const double v[3], double sigma);
 
-/** A tier: its two kernels, each on every path by its name (see tests/paths.h). */
+/** A tier: its two kernels, each on every path by its name: see tests/paths.h. */
 typedef struct time_tier {
     enum rank rank;
     time_kernel *intersection, *disjoint;
     time_kernel *intersection_on[3], *disjoint_on[3];
 } time_tier;
 
-/** A pair of the families, moved a little: the contract of both kernels, the laws,
- *  and the same bits on every path. */
+/** A pair of the families, moved a little: the contract of both kernels, the
+ *  laws, and the same bits on every path. */
 void times_check(const time_tier *tier, stream *s);
 
 /**

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef TESTS_BATCHES_H
 #define TESTS_BATCHES_H
-/** The batches of the event times beside their scalar kernels: as they are called,
- * and on each path by its name. */
+/** The batches of the event times beside their scalar kernels: as they are
+ * called, and on each path by its name. */
 #include "paths.h"
 #include <brink/event_time.h>
 

@@ -105,7 +105,8 @@ static inline int oracle_crosses(const double r[3], double rise,
     return crosses;
 }
 
-/** b = r.(v1 - v2), how much a step changes it, r.r, and whether it is crossed. */
+/** b = r.(v1 - v2), how much a step changes it, r.r, and whether it is
+ *  crossed. */
 typedef struct oracle_turn {
     mpfr_t b, change, rr;
     int crosses;
