@@ -43,7 +43,7 @@ formatted() {
 }
 
 linted() { # the checks and their exceptions: .clang-tidy
-    run-clang-tidy-14 -quiet -p build/dev-clang "$PWD/(kernels|sim|tests)/" \
+    run-clang-tidy-14 -quiet -p build/dev-clang "$PWD/(kernels|sim|tests|fuzz)/" \
         >build/tidy.txt 2>/dev/null || {
         grep -A4 -E '(warning|error):' build/tidy.txt
         return 1

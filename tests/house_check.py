@@ -132,6 +132,30 @@ def check_fuzz_and_proofs():
                     fault(f"kernels/{kernel}", f"has nothing in {folder}/")
 
 
+def check_fuzz_table():
+    """Every public function has a row, and what is fuzzed is what is said."""
+    table = {}
+    for line in (ROOT / "fuzz/README.md").read_text().splitlines():
+        cells = [c.strip() for c in line.strip("|").split("|")]
+        if len(cells) == 3 and cells[0].startswith("`"):
+            for name in re.findall(r"`(\w+)`", cells[0]):
+                table[name] = re.findall(r"`(\w+)`", cells[1])
+    declared = re.compile(r"^[\w ]+?[ *](brink_\w+)\(", re.MULTILINE)
+    for kernel in sorted(public_kernels()):
+        header = (ROOT / f"kernels/{kernel}.h").read_text()
+        for name in declared.findall(header):
+            if not table.get(name):
+                fault("fuzz/README.md", f"{name} has no target in its table")
+    for name, targets in table.items():
+        for target in targets:
+            path = ROOT / f"fuzz/{target}_fuzz.c"
+            if not path.exists():
+                fault("fuzz/README.md", f"{name}: there is no fuzz/{target}_fuzz.c")
+    targets = {p.stem.removesuffix("_fuzz") for p in (ROOT / "fuzz").glob("*_fuzz.c")}
+    for target in sorted(targets - {t for row in table.values() for t in row}):
+        fault(f"fuzz/{target}_fuzz.c", "is in no row of fuzz/README.md")
+
+
 def check_paths():
     """What is compiled for several paths is compared between them."""
     pathed = re.findall(r"BRINK_ON_PATH\((brink_\w+)\)",
@@ -166,6 +190,7 @@ check_rooms("kernels")
 check_rooms("sim")
 check_readme()
 check_fuzz_and_proofs()
+check_fuzz_table()
 check_paths()
 check_fast_math_is_refused()
 check_lines()

@@ -1,0 +1,79 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# usage: campaign.sh libfuzzer|afl PROGRAMS TARGET SECONDS JOBS
+#
+# One target for so long, by so many processes at once; see fuzz.sh.
+set -eu
+engine=$1 programs=$2 target=$3 seconds=$4 jobs=$5
+program=$programs/${target}_fuzz
+kept=fuzz/corpora/$target
+pool=${BRINK_CORPORA:-build/corpora}/$target
+findings=build/findings
+log=build/findings/log/$target.$engine
+mkdir -p "$kept" "$pool" "$findings/log"
+
+room=65536 # bytes of fuzz/corpora that one target may have
+longest=$(sed -n 's/^max_len = //p' "fuzz/$target.options" 2>/dev/null || true)
+dictionary=fuzz/$target.dict
+
+by_libfuzzer() {
+    set -- -max_len="${longest:-256}" -len_control=0 -timeout=10 -rss_limit_mb=2048 \
+        -print_final_stats=1 -artifact_prefix="$findings/$target-" "$pool" "$kept"
+    [ ! -f "$dictionary" ] || set -- -dict="$dictionary" "$@"
+    [ "$jobs" -le 1 ] || set -- -fork="$jobs" "$@"
+    "$program" -max_total_time="$seconds" "$@" >"$log" 2>&1 || say_finding
+}
+
+# One main, the rest secondaries, all in one folder; pool and seeds as in libFuzzer.
+by_afl() {
+    queues=build/afl-queues/$target
+    mkdir -p "$queues/seeds"
+    find "$kept" "$pool" -type f -exec cp {} "$queues/seeds" \;
+    [ -n "$(ls "$queues/seeds")" ] || echo brink >"$queues/seeds/brink"
+    export AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 \
+        AFL_NO_AFFINITY=1 AFL_AUTORESUME=1
+    set -- -i "$queues/seeds" -o "$queues" -V "$seconds" -G "${longest:-256}"
+    [ ! -f "$dictionary" ] || set -- -x "$dictionary" "$@"
+    job=1
+    while [ "$job" -lt "$jobs" ]; do
+        afl-fuzz -S "secondary$job" "$@" -- "$program" >"$log.$job" 2>&1 &
+        job=$((job + 1))
+    done
+    afl-fuzz -M main "$@" -- "$program" >"$log" 2>&1 || true
+    wait
+    for input in "$queues"/*/queue/id:*; do
+        [ -f "$input" ] && cp "$input" "$pool/$(sha1sum <"$input" | cut -c1-40)"
+    done
+    for input in "$queues"/*/crashes/id:* "$queues"/*/hangs/id:*; do
+        [ -f "$input" ] || continue
+        cp "$input" "$findings/$target-$(sha1sum <"$input" | cut -c1-40)"
+        "$program" "$input" >>"$log" 2>&1 || say_finding
+    done
+}
+
+say_finding() {
+    echo "fuzz: $target, see $log" >&2
+    grep -A12 -E '^finding:|ERROR:|runtime error' "$log" | head -n 40 >&2 || true
+}
+
+# Into the corpus goes what reaches something that it does not reach yet; where that is
+# more than there is room for, the smallest.  Findings of the past stay.
+keep_best() {
+    "$program" -merge=1 -max_len="${longest:-256}" "$kept" "$pool" >>"$log" 2>&1 || true
+    find "$kept" -type f ! -name 'found-*' -printf '%s %p\n' | sort -n |
+        awk -v room="$room" '{ n += $1; if (n > room) print $2 }' | xargs -r rm -f
+}
+
+# How many cases were tried, as the engines' own notes have it.
+cases() {
+    case $engine in
+    libfuzzer) grep -oE '^#[0-9]+' "$log" | tr -d '#' | sort -n | tail -n 1 ;;
+    afl) sed -n 's/^execs_done *: //p' "build/afl-queues/$target"/*/fuzzer_stats |
+        awk '{ n += $1 } END { print n }' ;;
+    esac
+}
+
+"by_$engine"
+tried=$(cases)
+[ "$engine" != libfuzzer ] || keep_best
+echo "fuzz: $target: $tried cases"
