@@ -26,8 +26,10 @@ typedef struct lawful {
  *              same bits
  *     axes exchanged, lengths, velocities and normals times powers of two: the
  *              same where the kernel rounds correctly or answers with a sign;
- *              otherwise to twice its bound; nothing of _fast
- *     zeros of the other sign: the same
+ *              otherwise to twice its bound
+ *     zeros of the other sign: the same, as the bound above
+ *              neither of these two of _fast, which near the surface may answer
+ *              either way
  *     outside the domain: NaN, and as a sign 0
  *     a time: never negative, never -0
  */
