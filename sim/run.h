@@ -80,8 +80,8 @@ enum brink_run_status {
     BRINK_RUN_NO_MEMORY
 };
 
-/** Particles that never meet cross cells for ever: after as many crossings as take
- * a second or so, whoever waits is asked whether to go on. */
+/** Particles that never meet cross cells for ever: after as many crossings as
+ * take a second or so, whoever waits is asked whether to go on. */
 #define BRINK_PATIENCE (1u << 18)
 
 /** Takes over the system (which is empty afterwards) as a configuration first
