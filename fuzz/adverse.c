@@ -149,7 +149,7 @@ static void place_anywhere(maker *m, uint32_t i)
         m->system->particle[i].x[a] = stream_bits(m->s);
 }
 
-/** In a row along x, some distance from the one before; in the middle of the rest. */
+/** In a row along x, some distance from the one before, in the middle. */
 static void place_in_row(maker *m, uint32_t i)
 {
     const brink_system *s = m->system;
@@ -205,7 +205,7 @@ static void move_by_pair(maker *m, uint32_t i, uint32_t j, const double u[3])
         s->particle[i].v[a] = s->particle[j].v[a] + along * u[a] + across * w[a];
 }
 
-/** Symmetric, so that many meet at once: to the middle, by unit steps, at rest. */
+/** So that many meet at once: to the middle, by unit speeds, at rest. */
 static void move_plainly(maker *m, uint32_t i)
 {
     const brink_system *s = m->system;
@@ -333,7 +333,7 @@ static void make(stream *s, brink_system *system, int family, uint32_t most)
     maker m = {s, system, 0, family};
     uint32_t count = 64;
     if (family == CROWD) {
-        // Lists are kept of three others in range and more (see sim/neighbours.c):
+        // Lists are kept of three others in range and more (sim/neighbours.c):
         // 8 along the side of a box of 8 ranges have pi, if it were all core.
         make_empty(&m, count, 1, 2, PICK(s, 8, 8 + 0x1p-40, 8.1, 8.15));
     } else {

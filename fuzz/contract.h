@@ -2,8 +2,9 @@
 #ifndef FUZZ_CONTRACT_H
 #define FUZZ_CONTRACT_H
 /**
- * The contract of a kernel, put to the exact oracle of tests/problem_*.c: whether,
- * always right; when and how much, within the bound that its header states.
+ * The contract of a kernel, put to the exact oracle of tests/problem_*.c:
+ * whether, always right; when and how much, within the bound that its header
+ * states.
  */
 #include "../tests/problems_all.h"
 #include "fuzz.h"
@@ -13,9 +14,13 @@
 void contract_case(const problem *p, stream *s, int movable,
                    double x[PROBLEM_INPUTS]);
 
-/** Puts that case to all of the problem's kernels of this rank. */
+/** Puts that case, and the right answer to it, to all of the problem's kernels of
+ *  this rank. */
 void contract_check(const problem *p, enum rank rank,
-                    const double x[PROBLEM_INPUTS]);
+                    const double x[PROBLEM_INPUTS], const truth *right);
+
+/** The problem's first kernel of this rank, as a number for contract_answer. */
+int contract_kernel(const problem *p, enum rank rank);
 
 /** What the k-th method answers: outputs as the problem has them. */
 int contract_answer(const problem *p, int k, const double x[PROBLEM_INPUTS],

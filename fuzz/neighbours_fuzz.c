@@ -45,8 +45,8 @@ static long double between_homes(const village *v, uint32_t i, uint32_t j)
     return sqrtl(square);
 }
 
-/** Listed, by both and once, are those whose homes are nearer than their potential
- *  reaches and two balls; beyond, by the slack of 2^-20, nobody is. */
+/** Listed, by both and once, are those whose homes are nearer than their
+ *  potential reaches and two balls; beyond, by the slack of 2^-20, nobody is. */
 static void check_lists(const village *v)
 {
     for (uint32_t i = 0; i < v->system.count; i++)

@@ -31,8 +31,8 @@ static void keep(const char *law, const double q[3], const roots *a,
     finding_end();
 }
 
-/** Laws that hold bit for bit for the nearest doubles; of the plain roots, whose last
- * bits may go either way, the contract says it all. */
+/** Laws that hold bit for bit for the nearest doubles; of the plain roots, whose
+ * last bits may go either way, the contract says it all. */
 static void laws(const double q[3])
 {
     const roots of_q = solve(brink_quadratic_roots_cr, q);
@@ -89,8 +89,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     stream s = stream_of_bytes(data, size);
     double x[PROBLEM_INPUTS];
     contract_case(&problem_quadratic, &s, 3, x);
-    contract_check(&problem_quadratic, RANK_PLAIN, x);
-    contract_check(&problem_quadratic, RANK_CR, x);
+    truth right = {0};
+    problem_quadratic.solve(x, &right);
+    contract_check(&problem_quadratic, RANK_PLAIN, x, &right);
+    contract_check(&problem_quadratic, RANK_CR, x, &right);
     laws(x);
     scaling(x, &s);
     for (int k = 0; k < 2; k++)

@@ -218,7 +218,7 @@ static void rewrite(const text *t, const brink_scene *scene)
     brink_scene_destroy(&again);
 }
 
-/** Started, or refused with a complaint; what a file holds is no business here. */
+/** Started, or refused with a complaint; start files are no business here. */
 static void start(const text *t, const brink_scene *scene)
 {
     brink_system system;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /*
- * A few particles: the simulator's events are the reference's, in MPFR numbers, for
- * as long as doubles can know them.
+ * A few particles: the simulator's events are the reference's, in MPFR numbers,
+ * for as long as doubles can know them.
  *
  * How long that is the reference says itself, deflected by some 2^-36 of its
- * velocities and of the box, by SIGNS choices of signs: what they all do, a simulator
- * that is off by less than 2^-41 of them does, too (see tests/sequence_test.c for that
- * number).
- * Particles are near nothing but by chance: at a tie or a tangent deflections the one
- * way could all do one thing, and a rounding the other.
+ * velocities and of the box, by SIGNS choices of signs: what they all do, a
+ * simulator that is off by less than 2^-41 of them does, too (that number is
+ * derived in tests/sequence_test.c).  Particles are near nothing but by chance:
+ * at a tie or a tangent all deflections could do one thing, and a rounding the
+ * other.
  */
 #include "../tests/reference.h"
 #include "adverse.h"
@@ -24,8 +24,8 @@ static int same(const reference_event *a, const reference_event *b, double off)
            fabs(a->time - b->time) <= off;
 }
 
-/** The run's first events; how many there are in FAR times the time that the fastest
- *  takes across an eighth of the box, as many as the reference looks in vain. */
+/** The run's first events; how many there are in FAR times the time that the
+ *  fastest takes across an eighth of the box, as often as the reference looks. */
 static int simulate(brink_run *run, reference_event event[EVENTS])
 {
     double look = (double)INFINITY;

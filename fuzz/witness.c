@@ -43,11 +43,11 @@ static int *level_of(const witness *w, uint32_t i, uint32_t j)
  * meets it has come no further than to it.  Its time is within 16 (8 ulp), which
  * the pair flies L in; or, by the fast tier, the pair within 16 (L + sigma).  The
  * separation that it is predicted from has some 6 roundings of lengths below 3 L
- * on each of three axes; the same again when the event is executed.  A position is
- * rounded whenever it is written down, by 3 of the flight since, and by half a
+ * on each of three axes; the same again when the event is executed.  A position
+ * is rounded whenever it is written down, by 3 of the flight since, and by half a
  * unit of 2^-64 L.  Flights add up to those above; times of writing down are
- * events of the run, which are few enough to forget their units.  In all some 16
- * sqrt(3) + 2 * 6 * 3 + 3 * 2 sqrt(3) < 75 L.
+ * events of the run, which are few enough to forget their units.  In all some
+ * 16 sqrt(3) + 2 * 6 * 3 + 3 * 2 sqrt(3) < 75 L.
  *
  * The instant is rounded to 1 of a year and what follows, offsets are subtracted,
  * twice a particle: 4 years' flight. */
@@ -161,7 +161,7 @@ static void extremes(const long double r[3], const long double v[3],
     *most = sqrtl(fmaxl(end[0], end[1]));
 }
 
-/** Which images, by -1, 0, 1 lengths along an axis, come within `reach`; how many. */
+/** Which images, -1, 0, 1 lengths along an axis, come within `reach`; how many. */
 static int images_in_reach(long double x, long double v, long double h,
                            double length, double reach, long double at[3])
 {
@@ -175,8 +175,8 @@ static int images_in_reach(long double x, long double v, long double h,
     return n;
 }
 
-/** A captured pair has one image that is where its level says; all others, and all
- *  of a pair that is not, are outside of the outermost step. */
+/** A captured pair has one image that is where its level says; all others, and
+ *  all of a pair that is not, are outside of the outermost step. */
 static void look_at_path(const witness *w, uint32_t i, uint32_t j,
                          const long double r[3], const long double v[3],
                          long double h)
@@ -296,8 +296,8 @@ static void look_at_contact(witness *w, enum brink_direction way)
 }
 
 /* In through all steps and out again, and once more for a contact a rounding off.
- * A pair that bounced on without time moving on would be held up for ever: the rim
- * rule of <brink/impulse.h>. */
+ * A pair that bounced on without time moving on would be held up for ever: the
+ * rim rule of <brink/impulse.h>. */
 static void look_at_progress(witness *w, const brink_happening *e, int again)
 {
     const int steps = brink_system_potential(&w->begin, e->i, e->j)->count;
@@ -309,8 +309,8 @@ static void look_at_progress(witness *w, const brink_happening *e, int again)
 }
 
 /* Who is turned back goes the other way afterwards: from a step's inside at the
- * angle of the rim rule or more, from its outside, or a core, not in again, unless
- * the two move together so fast that their roundings hide it. */
+ * angle of the rim rule or more, from its outside, or a core, not in again,
+ * unless the two move together so fast that their roundings hide it. */
 static void look_at_parting(const witness *w, enum brink_direction way)
 {
     const brink_system *s = &w->run->system;

@@ -135,7 +135,7 @@ int brink_quadratic_roots(double a, double b, double c, double *x0, double *x1)
 }
 
 static BRINK_APART int roots_exact(double a, double b, double c, double *x0,
-                                   double *x1) // a is not 0
+                                   double *x1) // a is not 0, and there are roots
 {
     const double two = 2;
     brink_dyadic a2, b1, c2, bb, ac, d; // 2a x^2 + 2 b x + 2c
@@ -145,8 +145,6 @@ static BRINK_APART int roots_exact(double a, double b, double c, double *x0,
     brink_dyadic_mul(&bb, &b1, &b1);
     brink_dyadic_mul(&ac, &a2, &c2);
     brink_dyadic_sub(&d, &bb, &ac);
-    if (d.sign < 0)
-        return 0;
     *x0 = brink_dyadic_root(&a2, &b1, &c2, &d, BRINK_LOWER);
     *x1 = brink_dyadic_root(&a2, &b1, &c2, &d, BRINK_UPPER);
     return 2;

@@ -169,16 +169,42 @@ int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
     return fault ? -1 : 0;
 }
 
+// The newest whole one of those from `first` on, which are newest first.
+static int load_newest(const char *dir, char (*names)[NAME], int first, int count,
+                       brink_run *run, brink_plan *plan, char *path,
+                       size_t path_size, FILE *errors)
+{
+    int status = -1;
+    for (int k = first; k < count && status; k++) {
+        snprintf(path, path_size, "%s/%s", dir, names[k]);
+        status = brink_checkpoint_load(path, run, plan, errors);
+    }
+    return status;
+}
+
+int brink_checkpoint_before(const char *dir, uint64_t event, brink_run *run,
+                            brink_plan *plan, char *path, size_t path_size,
+                            FILE *errors)
+{
+    char(*names)[NAME], here[NAME];
+    const int count = list(dir, &names);
+    int first = 0;
+    name_of(here, event);
+    while (first < count && strcmp(names[first], here) >= 0)
+        first++;
+    const int status =
+        load_newest(dir, names, first, count, run, plan, path, path_size, errors);
+    free(names);
+    return status;
+}
+
 int brink_checkpoint_resume(const char *dir, brink_run *run, brink_plan *plan,
                             char *path, size_t path_size, FILE *errors)
 {
     char(*names)[NAME];
     const int count = list(dir, &names);
-    int status = -1;
-    for (int k = 0; k < count && status; k++) {
-        snprintf(path, path_size, "%s/%s", dir, names[k]);
-        status = brink_checkpoint_load(path, run, plan, errors);
-    }
+    const int status =
+        load_newest(dir, names, 0, count, run, plan, path, path_size, errors);
     free(names);
     if (status)
         fprintf(errors,

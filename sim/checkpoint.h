@@ -27,6 +27,12 @@ int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
 int brink_checkpoint_resume(const char *dir, brink_run *run, brink_plan *plan,
                             char *path, size_t path_size, FILE *errors);
 
+/** The newest whole one from before an event, which has fewer executed than
+ * `event`.  0; -1 if there is none, said by nobody. */
+int brink_checkpoint_before(const char *dir, uint64_t event, brink_run *run,
+                            brink_plan *plan, char *path, size_t path_size,
+                            FILE *errors);
+
 /** Removes DIR's checkpoints, and DIR if nothing else is in it. */
 void brink_checkpoint_clear(const char *dir);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command line, nothing else.
+#include "explain.h"
 #include "scene.h"
 #include "session.h"
 #include "study.h"
@@ -18,6 +19,9 @@ static const char help[] =
     "  brink resume DIR [--max-wall SECONDS]\n"
     "  brink check SCENE\n"
     "  brink study [SCENE...] [--out DIR]\n"
+    "  brink explain SCENE --event N [--pair I,J] [--seed S] [--tier "
+    "fast|plain|cr]\n"
+    "  brink explain DIR --event N [--pair I,J]\n"
     "  brink --help | --version\n"
     "\n"
     "run     simulates a scene into DIR (its name without the ending): "
@@ -32,6 +36,14 @@ static const char help[] =
     "        them, and writes DIR/index.html (report/index.html).  Stopped or "
     "killed, it\n"
     "        goes on when the same command is given again.\n"
+    "explain replays a run to one event, from a scene or from a run's folder, "
+    "and "
+    "prints\n"
+    "        how it was predicted, the pair, its surfaces and the decision, in "
+    "decimal\n"
+    "        and hex.  Events are numbered from 1, as `events` in summary.json "
+    "counts\n"
+    "        them; particles from 0.  With --pair, that pair at that moment.\n"
     "\n"
     "tiers   how event times are computed: fast (bounded distance from the "
     "surface),\n"
@@ -47,6 +59,7 @@ typedef struct command_line {
     const char *file[64]; // what is not an option
     int files;
     brink_orders orders;
+    brink_explain_orders explain;
 } command_line;
 
 static int wrong(const char *what, const char *which)
@@ -101,8 +114,40 @@ static int parse_tier(const char *text, enum brink_tier *tier)
     return wrong("--tier is fast, plain or cr, not ", text);
 }
 
-static int parse_option(const char *option, const char *text, brink_orders *o)
+static int parse_event(const char *text, uint64_t *event)
 {
+    if (parse_count("--event", text, event))
+        return -1;
+    return *event > 0 ? 0 : wrong("--event counts from 1, not ", text);
+}
+
+static int parse_pair(const char *text, brink_explain_orders *o)
+{
+    const char *comma = strchr(text, ',');
+    char first[24];
+    uint64_t i, j;
+    const size_t length = comma ? (size_t)(comma - text) : sizeof first;
+    if (length >= sizeof first)
+        return wrong("--pair takes two particles, as 3,14, not ", text);
+    memcpy(first, text, length);
+    first[length] = '\0';
+    if (parse_count("--pair", first, &i) || parse_count("--pair", comma + 1, &j))
+        return -1;
+    if (i == j || i > UINT32_MAX || j > UINT32_MAX)
+        return wrong("--pair takes two particles, as 3,14, not ", text);
+    o->has_pair = 1;
+    o->pair[0] = (uint32_t)i;
+    o->pair[1] = (uint32_t)j;
+    return 0;
+}
+
+static int parse_option(const char *option, const char *text, command_line *line)
+{
+    brink_orders *o = &line->orders;
+    if (strcmp(option, "--event") == 0)
+        return parse_event(text, &line->explain.event);
+    if (strcmp(option, "--pair") == 0)
+        return parse_pair(text, &line->explain);
     if (strcmp(option, "--out") == 0) {
         o->out = text;
         return 0;
@@ -115,8 +160,10 @@ static int parse_option(const char *option, const char *text, brink_orders *o)
                    ? 0
                    : wrong("--seed is below 2^32, not ", text);
     }
-    if (strcmp(option, "--tier") == 0)
+    if (strcmp(option, "--tier") == 0) {
+        line->explain.has_tier = 1;
         return parse_tier(text, &o->tier);
+    }
     if (strcmp(option, "--max-wall") == 0)
         return parse_number(option, text, &o->max_wall);
     if (strcmp(option, "--events") == 0 || strcmp(option, "--time") == 0 ||
@@ -143,7 +190,7 @@ static int parse(int argc, char **argv, const char *allowed, command_line *line)
             return wrong("this command has no option ", argv[k]);
         if (k + 1 == argc)
             return wrong(argv[k], " needs a value");
-        if (parse_option(argv[k], argv[k + 1], &line->orders))
+        if (parse_option(argv[k], argv[k + 1], line))
             return -1;
         k++;
     }
@@ -153,6 +200,17 @@ static int parse(int argc, char **argv, const char *allowed, command_line *line)
 static int one_file(const command_line *line, const char *what)
 {
     return line->files == 1 ? 0 : wrong("this command takes one ", what);
+}
+
+static int explain(command_line *line)
+{
+    brink_explain_orders *o = &line->explain;
+    if (o->event == 0)
+        return wrong("explain needs --event N", ""), BRINK_EXIT_USAGE;
+    o->has_seed = line->orders.has_seed;
+    o->seed = line->orders.seed;
+    o->tier = line->orders.tier;
+    return brink_explain(stdout, line->file[0], o);
 }
 
 int main(int argc, char **argv)
@@ -189,6 +247,11 @@ int main(int argc, char **argv)
                    ? BRINK_EXIT_USAGE
                    : brink_study(line.orders.out ? line.orders.out : "report",
                                  line.files, line.file);
+    if (strcmp(command, "explain") == 0)
+        return parse(argc, argv, "--event --pair --seed --tier ", &line) ||
+                       one_file(&line, "scene or folder")
+                   ? BRINK_EXIT_USAGE
+                   : explain(&line);
     wrong(*command ? "there is no command " : "a command is needed", command);
     return BRINK_EXIT_USAGE;
 }

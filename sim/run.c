@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
 #include "run_ahead.h"
+#include "run_meeting.h"
 #include "run_predict.h"
-#include <brink/impulse.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -38,24 +38,6 @@ static enum brink_run_status move_on(brink_run *run, const brink_entry *entry)
     return status;
 }
 
-// The rim rule seen from outside.  A pair that all but slides along a core or a
-// shoulder is turned by less than its velocities are rounded to, or than a tier can
-// tell from going in, 3 2^-53 of the sum: it would come again at this instant, for
-// ever.
-static int turn_away(brink_run *run, const double r[3], double ma, double mb,
-                     brink_particle *a, brink_particle *b)
-{
-    const double back[3] = {-r[0], -r[1], -r[2]};
-    double rate = 0, sum = 0;
-    for (int k = 0; k < 3; k++) {
-        const double product = r[k] * (a->v[k] - b->v[k]);
-        rate += product;
-        sum += fabs(product);
-    }
-    return rate <= 0x1p-50 * sum &&
-           brink_rim_impulse_balanced(back, ma, mb, a->v, b->v, &run->owed);
-}
-
 // Velocities after the meeting; what happened.
 static enum brink_event_kind resolve(brink_run *run, const double r[3],
                                      double rise, enum brink_direction way,
@@ -65,24 +47,13 @@ static enum brink_event_kind resolve(brink_run *run, const double r[3],
     brink_particle *a = &s->particle[i], *b = &s->particle[j];
     const double ma = s->species[a->species].mass,
                  mb = s->species[b->species].mass;
-    enum brink_event_kind kind = BRINK_BOUNCE;
-    double virial;
-    if (isinf(rise)) {
-        kind = BRINK_CORE;
-        virial = brink_core_impulse_balanced(r, ma, mb, a->v, b->v, &run->owed);
-    } else if (brink_step_impulse_balanced(r, ma, mb, rise, way, a->v, b->v,
-                                           &virial, &run->owed)) {
-        kind = way == BRINK_INWARD ? BRINK_CAPTURE : BRINK_RELEASE;
-    } else if (way == BRINK_OUTWARD) {
-        run->tally.rim += (uint64_t)brink_rim_impulse_balanced(r, ma, mb, a->v,
-                                                               b->v, &run->owed);
-    }
-    if (way == BRINK_INWARD && kind != BRINK_CAPTURE)
-        run->tally.rim += (uint64_t)turn_away(run, r, ma, mb, a, b);
-    brink_sum_add(&run->tally.virial, virial);
+    const brink_meeting met =
+        brink_meeting_at(r, ma, mb, rise, way, a->v, b->v, &run->owed);
+    run->tally.rim += (uint64_t)met.rim;
+    brink_sum_add(&run->tally.virial, met.virial);
     a->generation++;
     b->generation++;
-    return kind;
+    return met.kind;
 }
 
 static void count_event(brink_run *run, const brink_entry *entry,
@@ -147,6 +118,13 @@ static enum brink_run_status meet(brink_run *run, const brink_entry *entry)
                                                       : BRINK_RUN_REACHED;
 }
 
+// Of a pair's entry: the partner of who keeps it has changed since.
+static int is_stale(const brink_run *run, uint32_t slot, const brink_entry *entry)
+{
+    const uint32_t partner = slot == entry->i ? entry->j : entry->i;
+    return run->system.particle[partner].generation != entry->generation;
+}
+
 static enum brink_run_status execute(brink_run *run, uint32_t slot)
 {
     const brink_entry entry = run->calendar.entry[slot];
@@ -156,8 +134,7 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
     run->now = entry.when;
     if (entry.kind == BRINK_ENTRY_CELL)
         return move_on(run, &entry);
-    const uint32_t partner = slot == entry.i ? entry.j : entry.i;
-    if (s->particle[partner].generation != entry.generation) {
+    if (is_stale(run, slot, &entry)) {
         run->tally.stale++;
         brink_predict(run, slot, entry.when.offset);
         return BRINK_RUN_REACHED;
@@ -168,7 +145,11 @@ static enum brink_run_status execute(brink_run *run, uint32_t slot)
 enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
                                         brink_instant until)
 {
-    while (brink_tally_events(&run->tally) < events) {
+    uint64_t crossed = run->tally.cell; // by the time of the last event
+    uint64_t done = brink_tally_events(&run->tally);
+    while (done < events) {
+        if (run->tally.cell > crossed + BRINK_PATIENCE)
+            return BRINK_RUN_QUIET;
         const uint32_t slot = brink_calendar_next(&run->calendar);
         const int at_rest = slot == run->calendar.slots;
         if (at_rest ||
@@ -182,8 +163,23 @@ enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
         const enum brink_run_status status = execute(run, slot);
         if (status != BRINK_RUN_REACHED)
             return status;
+        const uint64_t now = brink_tally_events(&run->tally);
+        crossed = now > done ? run->tally.cell : crossed;
+        done = now;
     }
     return BRINK_RUN_REACHED;
+}
+
+int brink_run_is_event(const brink_run *run, uint32_t slot)
+{
+    const brink_entry *entry = &run->calendar.entry[slot];
+    return entry->kind != BRINK_ENTRY_CELL && !is_stale(run, slot, entry);
+}
+
+enum brink_run_status brink_run_step(brink_run *run)
+{
+    const uint32_t slot = brink_calendar_next(&run->calendar);
+    return slot == run->calendar.slots ? BRINK_RUN_AT_REST : execute(run, slot);
 }
 
 // The images: every combination of -L, 0, L on the axes that have three.
@@ -307,6 +303,7 @@ void brink_run_diagnosis(const brink_run *run, enum brink_run_status status,
         [BRINK_RUN_REACHED] = "the run reached its target",
         [BRINK_RUN_AT_REST] = "nothing moves: there is no further event",
         [BRINK_RUN_STUCK] = "events go on but the clock does not",
+        [BRINK_RUN_QUIET] = "nobody has met anybody for long",
         [BRINK_RUN_REFUSED] = "the state machine refused an event",
         [BRINK_RUN_NO_MEMORY] = "memory is out",
     };

@@ -75,10 +75,16 @@ enum brink_run_status {
     BRINK_RUN_REACHED, // the target
     BRINK_RUN_AT_REST, // nothing will ever happen again; time targets are reached
     BRINK_RUN_STUCK, // events go on, the clock does not: see brink_run_diagnosis
+    BRINK_RUN_QUIET, // BRINK_PATIENCE crossings of cells, and no event: there may
+                     // be none; who wants to know goes on
     BRINK_RUN_REFUSED, // the state machine refused an event: see
                        // brink_run_diagnosis
     BRINK_RUN_NO_MEMORY
 };
+
+/** Particles that never meet cross cells for ever: after as many crossings as
+ * take a second or so, whoever waits is asked whether to go on. */
+#define BRINK_PATIENCE (1u << 18)
 
 /** Takes over the system (which is empty afterwards) as a configuration first
  * made: cells and levels from position, everything predicted.  0, -1 no memory.
@@ -95,6 +101,14 @@ const char *brink_run_is_valid(const brink_run *run);
  * and at `until` (BRINK_NEVER: no such limit), whichever is first. */
 enum brink_run_status brink_run_advance(brink_run *run, uint64_t events,
                                         brink_instant until);
+
+/** One entry of the calendar, for those who look at a run closer than event by
+ * event: an event, a crossing or departure, or a prediction made anew.  Which it
+ * will be, brink_calendar_next says. */
+enum brink_run_status brink_run_step(brink_run *run);
+/** Whether a slot holds a pair's event that stands: neither a crossing or
+ * departure, nor one that is stale. */
+int brink_run_is_event(const brink_run *run, uint32_t slot);
 
 /** One or more lines on why a run stopped: the pair, its level, r and v in hex.
  */

@@ -137,6 +137,10 @@ static void read_run(brink_source *s, brink_scene *scene, const brink_node *node
                        "%s events for each of %u particles are more than 2^53\n"
                        "ask for fewer",
                        brink_value_shown(value).text, scene->count);
+    if (have_species && scene->target != BRINK_TARGET_TIME && scene->count == 1)
+        brink_complain(s, value->at,
+                       "one particle meets nobody: there are no events to count\n"
+                       "ask for a time, as in run: {time: 100}");
 }
 
 static void read_output(brink_source *s, brink_scene *scene,

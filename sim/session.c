@@ -40,6 +40,7 @@ static const char *stop_reason(const brink_session *s,
     case BRINK_RUN_AT_REST:
         return "at rest";
     case BRINK_RUN_REACHED:
+    case BRINK_RUN_QUIET: // events may yet come
         break;
     }
     const brink_instant until =

@@ -90,6 +90,7 @@ static enum brink_outcome judge(const brink_trial *t,
 {
     static const enum brink_outcome ends[] = {
         [BRINK_RUN_AT_REST] = BRINK_OUTCOME_AT_REST,
+        [BRINK_RUN_QUIET] = BRINK_OUTCOME_AT_REST,
         [BRINK_RUN_STUCK] = BRINK_OUTCOME_STANDS_STILL,
         [BRINK_RUN_REFUSED] = BRINK_OUTCOME_REFUSED,
         [BRINK_RUN_NO_MEMORY] = BRINK_OUTCOME_NO_MEMORY,

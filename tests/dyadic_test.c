@@ -1,45 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "random.h"
+#include "oracle_dyadic.h"
 #include "suite.h"
-#include <brink/dyadic.h>
-#include <mpfr.h>
 
-// A product of six doubles lies between 2^-6444 and 2^6144.
-enum { BITS = 13000, CASES = 5000, SEED = 1 };
+enum { BITS = ORACLE_DYADIC_BITS, CASES = 5000, SEED = 1 };
 #define N MPFR_RNDN
 
 static void set_dyadic(mpfr_t z, const brink_dyadic *a)
 {
-    mpfr_t limb;
-    mpfr_init2(limb, 64);
-    mpfr_set_zero(z, 1);
-    ck_assert_int_le(a->count, BRINK_DYADIC_LIMBS);
-    ck_assert(a->count == 0 ? a->sign == 0
-                            : a->limb[a->count - 1] != 0 && a->sign != 0);
-    for (int i = 0; i < a->count; i++) {
-        mpfr_set_ui_2exp(limb, a->limb[i], 32 * (a->low + i), N);
-        mpfr_add(z, z, limb, N);
-    }
-    if (a->sign < 0)
-        mpfr_neg(z, z, N);
-    mpfr_clear(limb);
-}
-
-/** Any finite double, the edges of the range often among them. */
-static double any_double(stream *s)
-{
-    switch (stream_int(s, 0, 7)) {
-    case 0:
-        return 0;
-    case 1:
-        return stream_sign(s) * DBL_MAX;
-    case 2:
-        return stream_sign(s) * 0x1p-1074;
-    case 3:
-        return stream_int(s, -9, 9);
-    default:
-        return stream_scaled(s, -1080, 1023);
-    }
+    ck_assert(oracle_set_dyadic(z, a));
 }
 
 /** A random polynomial of degree 3 in doubles, and what it is: x y z + w. */
@@ -48,7 +16,7 @@ static void random_number(stream *s, brink_dyadic *a, mpfr_t exact)
     double x[4];
     brink_dyadic xy, z, xyz, w;
     for (int i = 0; i < 4; i++)
-        x[i] = any_double(s);
+        x[i] = oracle_any_double(s);
     brink_dyadic_dot(&xy, 1, &x[0], &x[1]);
     brink_dyadic_double(&z, x[2]);
     brink_dyadic_mul(&xyz, &xy, &z);

@@ -1,53 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Batches are the scalar kernel bit for bit: as they are called, and on each
 // instruction set path by its name.
+#include "batches.h"
 #include "cases.h"
 #include "pairs.h"
-#include "paths.h"
 #include "suite.h"
-#include <brink/event_time.h>
 
 enum { MOST = 300, SEED = 1, UNTOUCHED = -12345 };
 
-typedef void batch(size_t n, const double *rx, const double *ry, const double *rz,
-                   const double *vx, const double *vy, const double *vz,
-                   const double *sigma, double *t);
-typedef double scalar(const double r[3], const double v[3], double sigma);
-
-PATHS_OF(batch, brink_intersection_times)
-PATHS_OF(batch, brink_intersection_times_fast)
-PATHS_OF(batch, brink_disjoint_times)
-PATHS_OF(batch, brink_disjoint_times_fast)
-
-enum { WAYS = 1 + PATHS_IN_ALL };
-
 static const char *const way_names[WAYS] = {"as called", "any", "fma", "avx512"};
-
-static const struct tier {
-    const char *name;
-    batch *as_called, *many[PATHS_IN_ALL];
-    scalar *one;
-} tiers[] = {
-    {"intersection", brink_intersection_times, PATHS(brink_intersection_times),
-     brink_intersection_time},
-    {"intersection_fast", brink_intersection_times_fast,
-     PATHS(brink_intersection_times_fast), brink_intersection_time_fast},
-    {"disjoint", brink_disjoint_times, PATHS(brink_disjoint_times),
-     brink_disjoint_time},
-    {"disjoint_fast", brink_disjoint_times_fast, PATHS(brink_disjoint_times_fast),
-     brink_disjoint_time_fast},
-};
-enum { TIERS = sizeof tiers / sizeof *tiers };
-
-static int has_way(int way)
-{
-    return way == 0 || can_try(way - 1);
-}
-
-static batch *batch_of(const struct tier *tier, int way)
-{
-    return way == 0 ? tier->as_called : tier->many[way - 1];
-}
 
 /** Pairs as a structure of arrays, with room to start at any alignment. */
 typedef struct arrays {

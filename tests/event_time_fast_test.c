@@ -199,6 +199,20 @@ START_TEST(fast_times_put_the_hard_cases_on_the_surface)
 }
 END_TEST
 
+/* The least of lengths at the greatest of speeds, and the other way round: times
+ * are in units of 2^-2044 and 2^2044 then, where scaling itself would end. */
+START_TEST(units_of_time_beyond_all_doubles_give_0_or_infinity)
+{
+    const double least = 0x1p-1074, most = DBL_MAX, never = (double)INFINITY;
+    const double near[3] = {3 * least, 0, 0}, far[3] = {most, 0, 0};
+    const double swift[3] = {-most, 0, 0}, slow[3] = {-least, 0, 0};
+    ck_assert(brink_intersection_time_fast(near, swift, least) == 0);
+    ck_assert(brink_disjoint_time_fast(near, swift, least) == 0);
+    ck_assert(brink_intersection_time_fast(far, slow, 1) == never);
+    ck_assert(brink_disjoint_time_fast(far, slow, 1) == never);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("event_time_fast");
@@ -207,6 +221,7 @@ int main(void)
     tcase_add_loop_test(all, fast_times_put_the_pair_on_the_surface, 0,
                         PAIR_FAMILIES);
     tcase_add_test(all, fast_times_put_the_hard_cases_on_the_surface);
+    tcase_add_test(all, units_of_time_beyond_all_doubles_give_0_or_infinity);
     suite_add_tcase(suite, all);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,48 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "oracle.h"
-#include "random.h"
+#include "oracle_dd.h"
 #include "suite.h"
-#include <brink/exact.h>
 
 enum { CASES = 20000, SEED = 1 };
 
 static const double u = 0x1p-53;
 
-static void set_dd(mpfr_t z, dd x)
-{
-    mpfr_set_d(z, x.hi, ORACLE_N);
-    mpfr_add_d(z, z, x.lo, ORACLE_N);
-}
-
-/** |got - exact| / |exact|, 0 for 0 / 0. */
-static double relative_error(dd got, const mpfr_t exact)
-{
-    mpfr_t z;
-    mpfr_init2(z, ORACLE_BITS);
-    set_dd(z, got);
-    mpfr_sub(z, z, exact, ORACLE_N);
-    if (!mpfr_zero_p(z))
-        mpfr_div(z, z, exact, ORACLE_N);
-    double error = fabs(mpfr_get_d(z, MPFR_RNDA));
-    mpfr_clear(z);
-    return error;
-}
-
-/** A double-double of magnitude near 1; one in four with its low part at the
- *  limit. */
-static dd random_dd(stream *s)
-{
-    double hi = stream_scaled(s, -3, 3);
-    double half_ulp = ldexp(u, ilogb(hi));
-    int edge = stream_int(s, 0, 3) == 0;
-    return fast_two_sum(hi, edge ? stream_sign(s) * nextafter(half_ulp, 0)
-                                 : half_ulp * stream_real(s, -1, 1));
-}
-
 static void expect(const char *what, dd got, const mpfr_t exact, double bound,
                    dd x, dd y)
 {
-    double error = relative_error(got, exact);
+    double error = oracle_dd_error(got, exact);
     if (!(error <= bound))
         ck_abort_msg(
             "%s of %a + %a and %a + %a (seed %d): error %g u^2, bound %g u^2",
@@ -94,11 +61,11 @@ START_TEST(double_doubles_keep_their_bounds)
     mpfr_t a, b, z;
     mpfr_inits2(ORACLE_BITS, a, b, z, (mpfr_ptr)0);
     for (int i = 0; i < (int)suite_share(CASES); i++) {
-        dd x = random_dd(&s), y = i % 4 ? random_dd(&s) : dd_negate(x);
+        dd x = oracle_any_dd(&s), y = i % 4 ? oracle_any_dd(&s) : dd_negate(x);
         if (i % 4 == 0) // cancelling
             y.lo = stream_near(&s, y.lo, 4);
-        set_dd(a, x);
-        set_dd(b, y);
+        oracle_set_dd(a, x);
+        oracle_set_dd(b, y);
         mpfr_add(z, a, b, ORACLE_N);
         expect("dd_add", dd_add(x, y), z, 3.01 * u * u, x, y);
         mpfr_add_d(z, a, y.hi, ORACLE_N);
@@ -110,7 +77,7 @@ START_TEST(double_doubles_keep_their_bounds)
         mpfr_div(z, a, b, ORACLE_N);
         expect("dd_div", dd_div(x, y), z, 15.01 * u * u, x, y);
         dd square = x.hi < 0 ? dd_negate(x) : x;
-        set_dd(a, square);
+        oracle_set_dd(a, square);
         mpfr_sqrt(z, a, ORACLE_N);
         expect("dd_sqrt", dd_sqrt(square), z, 25.0 / 8 * u * u, square, y);
     }
@@ -136,7 +103,7 @@ START_TEST(what_is_told_is_the_nearest_double)
             continue;
         told++;
         for (int end = -1; end <= 1; end += 2) {
-            set_dd(z, x);
+            oracle_set_dd(z, x);
             mpfr_set_d(slack, end * 0x1p-70 * fabs(hi), ORACLE_N);
             mpfr_add(z, z, slack, ORACLE_N);
             if (mpfr_get_d(z, ORACLE_N) != x.hi)

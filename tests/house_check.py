@@ -16,7 +16,7 @@ import sys
 # Top to bottom, as in DESIGN; a room includes only what lies below it.
 FLOORS = """
     main
-    study
+    study explain
     conventional session
     report checkpoint observe start
     snapshot
@@ -160,10 +160,10 @@ def check_paths():
     """What is compiled for several paths is compared between them."""
     pathed = re.findall(r"BRINK_ON_PATH\((brink_\w+)\)",
                         (ROOT / "kernels/path.h").read_text())
-    compared = "".join(p.read_text() for p in (ROOT / "tests").glob("*path_test.c"))
+    compared = "".join(p.read_text() for p in (ROOT / "tests").glob("*path*.[ch]"))
     for name in pathed:
         if not re.search(rf"PATHS_OF\(\w+, {name}\)", compared):
-            fault(f"kernels/path.h: {name}", "is compared by no tests/*path_test.c")
+            fault(f"kernels/path.h: {name}", "is compared by no tests/*path*.[ch]")
 
 
 def check_fast_math_is_refused():

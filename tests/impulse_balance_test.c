@@ -43,32 +43,6 @@ static aftermath rim(const impact *p, double owed)
     return a;
 }
 
-/** The largest kinetic energy of either, before or after. */
-static double largest_energy(const impact *p, const aftermath *a)
-{
-    const double v1 = fmax(length_of(p->v1), length_of(a->v1));
-    const double v2 = fmax(length_of(p->v2), length_of(a->v2));
-    return fmax(p->m1 * v1 * v1, p->m2 * v2 * v2) / 2;
-}
-
-/** Energy and account after less those before, `rise` put back: exactly. */
-static double off_balance(const impact *p, const aftermath *a, double owed)
-{
-    mpfr_t sum;
-    mpfr_init2(sum, ORACLE_BITS);
-    mpfr_set_d(sum, a->owed, ORACLE_N);
-    mpfr_sub_d(sum, sum, owed, ORACLE_N);
-    if (a->crossed)
-        mpfr_add_d(sum, sum, p->rise, ORACLE_N);
-    oracle_add_energy(sum, 1, p->m1, a->v1);
-    oracle_add_energy(sum, 1, p->m2, a->v2);
-    oracle_add_energy(sum, -1, p->m1, p->v1);
-    oracle_add_energy(sum, -1, p->m2, p->v2);
-    const double off = fabs(mpfr_get_d(sum, ORACLE_N));
-    mpfr_clear(sum);
-    return off;
-}
-
 /** What may be owed: nothing, a rounding's worth, much, more than there is. */
 static double random_debt(stream *s, const impact *p)
 {
@@ -84,12 +58,22 @@ static double random_debt(stream *s, const impact *p)
     }
 }
 
+static double largest_energy(const impact *p, const aftermath *a)
+{
+    const oracle_pair first = {p->m1, p->m2, p->v1, p->v2},
+                      then = {p->m1, p->m2, a->v1, a->v2};
+    return oracle_largest_energy(&first, &then);
+}
+
 static void keep_account(int i, const impact *p, impulse *f, double owed)
 {
     const aftermath a = f(p, owed);
-    const double largest = largest_energy(p, &a);
-    const double bound = BRINK_IMPULSE_BALANCE * largest + 0x1p-49 * fabs(owed);
-    if (!(off_balance(p, &a, owed) <= bound))
+    const oracle_pair first = {p->m1, p->m2, p->v1, p->v2},
+                      then = {p->m1, p->m2, a.v1, a.v2};
+    const double bound =
+        BRINK_IMPULSE_BALANCE * largest_energy(p, &a) + 0x1p-49 * fabs(owed);
+    const double rise = a.crossed ? p->rise : 0;
+    if (!(oracle_off_balance(&first, owed, &then, a.owed, rise) <= bound))
         stop("account", i, p, a.v1, a.v2);
     if (a.crossed != f(p, 0).crossed)
         stop("crossing for a debt", i, p, a.v1, a.v2);

@@ -88,6 +88,33 @@ START_TEST(equality_is_decided_where_double_double_cannot)
 }
 END_TEST
 
+/* The same equality, and a velocity of 2^-200 beside those of 2^17: nothing of it
+ * is left in double-double, and it is all there is to decide by. */
+START_TEST(what_double_double_cannot_see_decides)
+{
+    stream s = stream_of_seed(SEED);
+    for (int c = 0; c < IMPACTS; c++) {
+        double i = stream_int(&s, 1, 1 << 8), j = stream_int(&s, 1, 1 << 8);
+        double m1 = 2 * i * (i + j), m2 = 2 * j * (i + j);
+        double k = stream_int(&s, 1, 1 << 8), r[3], rr = 0, virial;
+        for (int axis = 0; axis < 3; axis++) {
+            r[axis] = stream_int(&s, 1, 1 << 9);
+            rr += r[axis] * r[axis];
+        }
+        for (int more = -1; more <= 1; more += 2) {
+            double v1[3] = {k * r[0], k * r[1], k * r[2]};
+            double v2[3] = {more * -0x1p-200, 0, 0};
+            ck_assert_int_eq(brink_step_impulse(r, m1, m2, i * j * k * k * rr,
+                                                BRINK_OUTWARD, v1, v2, &virial),
+                             more > 0);
+            const double b = r[0] * (v1[0] - v2[0]) + r[1] * (v1[1] - v2[1]) +
+                             r[2] * (v1[2] - v2[2]);
+            ck_assert(more > 0 ? b >= 0 : b < 0);
+        }
+    }
+}
+END_TEST
+
 START_TEST(no_radial_motion_does_not_cross_a_step_of_nothing)
 {
     const double r[3] = {1, 0, 0};
@@ -104,5 +131,6 @@ int main(void)
                      all_small_whole_impacts_are_decided_right,
                      radial_energy_equal_to_the_rise_does_not_suffice,
                      equality_is_decided_where_double_double_cannot,
+                     what_double_double_cannot_see_decides,
                      no_radial_motion_does_not_cross_a_step_of_nothing);
 }

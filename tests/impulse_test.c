@@ -3,71 +3,14 @@
 #include "impacts.h"
 #include <float.h>
 
-/** What is exact: whether the pair crosses, and the change of b = r.(v1 - v2). */
-static int oracle_impulse(mpfr_t change, mpfr_t rr, const impact *p)
+/** Each velocity is the exact one rounded once. */
+static void keep_velocities(int i, const impact *p, const oracle_turn *turn,
+                            const double v1[3], const double v2[3])
 {
-    mpfr_t b, after, mass;
-    mpfr_inits2(ORACLE_BITS, b, after, mass, (mpfr_ptr)0);
-    mpfr_set_zero(b, 1);
-    mpfr_set_zero(rr, 1);
-    for (int k = 0; k < 3; k++) {
-        oracle_add(b, 1, p->r[k], p->v1[k]);
-        oracle_add(b, -1, p->r[k], p->v2[k]);
-        oracle_add(rr, 1, p->r[k], p->r[k]);
-    }
-    // b'^2 = b^2 - 2 rise r.r (m1 + m2) / (m1 m2)
-    mpfr_set_d(mass, p->m1, ORACLE_N);
-    mpfr_mul_d(mass, mass, p->m2, ORACLE_N);
-    mpfr_set_d(after, p->m1, ORACLE_N);
-    mpfr_add_d(after, after, p->m2, ORACLE_N);
-    mpfr_mul(after, after, rr, ORACLE_N);
-    mpfr_mul_d(after, after, p->rise, ORACLE_N);
-    mpfr_mul_2ui(after, after, 1, ORACLE_N);
-    mpfr_div(after, after, mass, ORACLE_N);
-    mpfr_sqr(change, b, ORACLE_N);
-    mpfr_sub(after, change, after, ORACLE_N);
-    // That quotient is rounded, to 9000 bits: what is equal is seen to be.
-    int crosses = mpfr_sgn(after) > 0;
-    if (crosses)
-        mpfr_sqrt(after, after, ORACLE_N);
-    else
-        mpfr_set(after, b, ORACLE_N);
-    if (crosses)
-        mpfr_setsign(after, after, p->way < 0, ORACLE_N);
-    else
-        mpfr_setsign(after, after, p->way > 0, ORACLE_N);
-    mpfr_sub(change, after, b, ORACLE_N);
-    mpfr_clears(b, after, mass, (mpfr_ptr)0);
-    return crosses;
-}
-
-/** Each component is the exact one rounded once, up to 2^-90 of the speeds. */
-static void keep_velocity(int i, const impact *p, const mpfr_t change,
-                          const mpfr_t rr, int which, const double v1[3],
-                          const double v2[3])
-{
-    const double *before = which == 1 ? p->v1 : p->v2,
-                 *after = which == 1 ? v1 : v2;
-    double other = which == 1 ? p->m2 : p->m1;
-    double speed = fmax(fmax(length_of(p->v1), length_of(p->v2)),
-                        fmax(length_of(v1), length_of(v2)));
-    mpfr_t x, mass;
-    mpfr_inits2(ORACLE_BITS, x, mass, (mpfr_ptr)0);
-    for (int k = 0; k < 3; k++) {
-        mpfr_set_d(mass, p->m1, ORACLE_N);
-        mpfr_add_d(mass, mass, p->m2, ORACLE_N);
-        mpfr_mul_d(x, change, which == 1 ? other : -other, ORACLE_N);
-        mpfr_mul_d(x, x, p->r[k], ORACLE_N);
-        mpfr_div(x, x, mass, ORACLE_N);
-        mpfr_div(x, x, rr, ORACLE_N);
-        mpfr_add_d(x, x, before[k], ORACLE_N);
-        double nearest = mpfr_get_d(x, ORACLE_N);
-        mpfr_sub_d(x, x, after[k], ORACLE_N);
-        if (fabs(mpfr_get_d(x, ORACLE_N)) >
-            0.5 * oracle_ulp_of(nearest) + 0x1p-90 * speed)
-            stop(which == 1 ? "v1" : "v2", i, p, v1, v2);
-    }
-    mpfr_clears(x, mass, (mpfr_ptr)0);
+    const oracle_pair before = {p->m1, p->m2, p->v1, p->v2};
+    const oracle_pair after = {p->m1, p->m2, v1, v2};
+    if (!oracle_turned(turn, p->r, &before, &after))
+        stop("velocities", i, p, v1, v2);
 }
 
 static void keep(int i, const impact *p)
@@ -77,17 +20,17 @@ static void keep(int i, const impact *p)
     memcpy(v2, p->v2, sizeof v2);
     int crossed =
         brink_step_impulse(p->r, p->m1, p->m2, p->rise, p->way, v1, v2, &virial);
-    mpfr_t change, rr;
-    mpfr_inits2(ORACLE_BITS, change, rr, (mpfr_ptr)0);
-    if (crossed != oracle_impulse(change, rr, p))
+    const oracle_pair before = {p->m1, p->m2, p->v1, p->v2};
+    oracle_turn turn;
+    oracle_turn_make(&turn, p->r, p->rise, (int)p->way, &before);
+    if (crossed != turn.crosses)
         stop(crossed ? "crossed" : "reflected", i, p, v1, v2);
-    keep_velocity(i, p, change, rr, 1, v1, v2);
-    keep_velocity(i, p, change, rr, 2, v1, v2);
+    keep_velocities(i, p, &turn, v1, v2);
     keep_what_is_conserved(i, p, crossed ? p->rise : 0, v1, v2);
-    double mu = p->m1 / (p->m1 + p->m2) * p->m2, b = mpfr_get_d(change, ORACLE_N);
-    if (!(fabs(virial - mu * b) <= 0x1p-50 * fabs(mu * b)))
+    const double right = oracle_virial(&turn, &before);
+    if (!(fabs(virial - right) <= 0x1p-50 * fabs(right)))
         stop("virial", i, p, v1, v2);
-    mpfr_clears(change, rr, (mpfr_ptr)0);
+    oracle_turn_clear(&turn);
 }
 
 START_TEST(energy_momentum_and_decision_are_right)
@@ -192,14 +135,12 @@ START_TEST(cores_reflect_elastically)
                       memcmp(v2, p.v2, sizeof v2) == 0);
             continue;
         }
-        mpfr_t change, rr;
-        mpfr_inits2(ORACLE_BITS, change, rr, (mpfr_ptr)0);
-        p.rise = DBL_MAX;
-        oracle_impulse(change, rr, &p);
-        keep_velocity(i, &p, change, rr, 1, v1, v2);
-        keep_velocity(i, &p, change, rr, 2, v1, v2);
+        const oracle_pair before = {p.m1, p.m2, p.v1, p.v2};
+        oracle_turn turn;
+        oracle_turn_make(&turn, p.r, DBL_MAX, BRINK_INWARD, &before);
+        keep_velocities(i, &p, &turn, v1, v2);
         ck_assert_double_gt(virial, 0);
-        mpfr_clears(change, rr, (mpfr_ptr)0);
+        oracle_turn_clear(&turn);
     }
 }
 END_TEST

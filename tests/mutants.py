@@ -50,7 +50,7 @@ NEAR = {
         path wall cells states run_test run_rim physics""",
     "sim": """states lists calendar cells run neighbours snapshot conservation
         sequence conventional_test plain_simulator reference longrun lanes system
-        checkpoint clock start_test physics no_memory""",
+        checkpoint clock start_test physics memory""",
 }
 # Of other rooms, those that take no more seconds than this; of its own, ten times.
 SECONDS = 0.8

@@ -104,4 +104,125 @@ static inline int oracle_crosses(const double r[3], double rise,
     mpfr_clears(b, rr, mass, (mpfr_ptr)0);
     return crosses;
 }
+
+/** b = r.(v1 - v2), how much a step changes it, r.r, and whether it is
+ *  crossed. */
+typedef struct oracle_turn {
+    mpfr_t b, change, rr;
+    int crosses;
+} oracle_turn;
+
+static inline void oracle_turn_make(oracle_turn *t, const double r[3],
+                                    double rise, int way, const oracle_pair *p)
+{
+    mpfr_t after, mass;
+    mpfr_inits2(ORACLE_BITS, t->b, t->change, t->rr, after, mass, (mpfr_ptr)0);
+    mpfr_set_zero(t->b, 1);
+    mpfr_set_zero(t->rr, 1);
+    for (int k = 0; k < 3; k++) {
+        oracle_add(t->b, 1, r[k], p->v1[k]);
+        oracle_add(t->b, -1, r[k], p->v2[k]);
+        oracle_add(t->rr, 1, r[k], r[k]);
+    }
+    // b'^2 = b^2 - 2 rise r.r (m1 + m2) / (m1 m2)
+    mpfr_set_d(mass, p->m1, ORACLE_N);
+    mpfr_mul_d(mass, mass, p->m2, ORACLE_N);
+    mpfr_set_d(after, p->m1, ORACLE_N);
+    mpfr_add_d(after, after, p->m2, ORACLE_N);
+    mpfr_mul(after, after, t->rr, ORACLE_N);
+    mpfr_mul_d(after, after, rise, ORACLE_N);
+    mpfr_mul_2ui(after, after, 1, ORACLE_N);
+    mpfr_div(after, after, mass, ORACLE_N);
+    mpfr_sqr(t->change, t->b, ORACLE_N);
+    mpfr_sub(after, t->change, after, ORACLE_N);
+    // That quotient is rounded, to 9000 bits: what is equal is seen to be.
+    t->crosses = mpfr_sgn(after) > 0;
+    if (t->crosses)
+        mpfr_sqrt(after, after, ORACLE_N);
+    else
+        mpfr_set(after, t->b, ORACLE_N);
+    mpfr_setsign(after, after, t->crosses ? way < 0 : way > 0, ORACLE_N);
+    mpfr_sub(t->change, after, t->b, ORACLE_N);
+    mpfr_clears(after, mass, (mpfr_ptr)0);
+}
+
+static inline void oracle_turn_clear(oracle_turn *t)
+{
+    mpfr_clears(t->b, t->change, t->rr, (mpfr_ptr)0);
+}
+
+/** Whether the pair's velocities are what the turn leaves of those before, each
+ *  component rounded once, up to 2^-90 of the speeds. */
+static inline int oracle_turned(const oracle_turn *t, const double r[3],
+                                const oracle_pair *before,
+                                const oracle_pair *after)
+{
+    const double speed =
+        fmax(fmax(oracle_size(before->v1), oracle_size(before->v2)),
+             fmax(oracle_size(after->v1), oracle_size(after->v2)));
+    int right = 1;
+    mpfr_t x, slope; // slope = change / (r.r (m1 + m2))
+    mpfr_inits2(ORACLE_BITS, x, slope, (mpfr_ptr)0);
+    mpfr_set_d(x, before->m1, ORACLE_N);
+    mpfr_add_d(x, x, before->m2, ORACLE_N);
+    mpfr_mul(x, x, t->rr, ORACLE_N);
+    mpfr_div(slope, t->change, x, ORACLE_N);
+    for (int k = 0; k < 6; k++) {
+        const double was = k < 3 ? before->v1[k] : before->v2[k - 3];
+        const double is = k < 3 ? after->v1[k] : after->v2[k - 3];
+        mpfr_mul_d(x, slope, k < 3 ? before->m2 : -before->m1, ORACLE_N);
+        mpfr_mul_d(x, x, r[k % 3], ORACLE_N);
+        mpfr_add_d(x, x, was, ORACLE_N);
+        const double nearest = mpfr_get_d(x, ORACLE_N);
+        mpfr_sub_d(x, x, is, ORACLE_N);
+        if (!(fabs(mpfr_get_d(x, ORACLE_N)) <=
+              0.5 * oracle_ulp_of(nearest) + 0x1p-90 * speed))
+            right = 0;
+    }
+    mpfr_clears(x, slope, (mpfr_ptr)0);
+    return right;
+}
+
+/** m1 m2 / (m1 + m2) times the change of b, rounded. */
+static inline double oracle_virial(const oracle_turn *t, const oracle_pair *p)
+{
+    mpfr_t x, mass;
+    mpfr_inits2(ORACLE_BITS, x, mass, (mpfr_ptr)0);
+    mpfr_set_d(mass, p->m1, ORACLE_N);
+    mpfr_add_d(mass, mass, p->m2, ORACLE_N);
+    mpfr_mul_d(x, t->change, p->m1, ORACLE_N);
+    mpfr_mul_d(x, x, p->m2, ORACLE_N);
+    mpfr_div(x, x, mass, ORACLE_N);
+    const double virial = mpfr_get_d(x, ORACLE_N);
+    mpfr_clears(x, mass, (mpfr_ptr)0);
+    return virial;
+}
+
+/** The largest kinetic energy of either particle, before or after. */
+static inline double oracle_largest_energy(const oracle_pair *before,
+                                           const oracle_pair *after)
+{
+    const double v1 = fmax(oracle_size(before->v1), oracle_size(after->v1));
+    const double v2 = fmax(oracle_size(before->v2), oracle_size(after->v2));
+    return fmax(before->m1 * v1 * v1, before->m2 * v2 * v2) / 2;
+}
+
+/** Energy and account after, less those before, `rise` put back: exactly. */
+static inline double oracle_off_balance(const oracle_pair *before, double owed,
+                                        const oracle_pair *after,
+                                        double owed_after, double rise)
+{
+    mpfr_t sum;
+    mpfr_init2(sum, ORACLE_BITS);
+    mpfr_set_d(sum, owed_after, ORACLE_N);
+    mpfr_sub_d(sum, sum, owed, ORACLE_N);
+    mpfr_add_d(sum, sum, rise, ORACLE_N);
+    oracle_add_energy(sum, 1, after->m1, after->v1);
+    oracle_add_energy(sum, 1, after->m2, after->v2);
+    oracle_add_energy(sum, -1, before->m1, before->v1);
+    oracle_add_energy(sum, -1, before->m2, before->v2);
+    const double off = fabs(mpfr_get_d(sum, ORACLE_N));
+    mpfr_clear(sum);
+    return off;
+}
 #endif

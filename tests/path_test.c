@@ -2,12 +2,11 @@
 // Every path gives the same bits: each is called by name, where the library has
 // it and the processor can, and compared with the path that has neither vectors
 // nor fma() in hardware.  A compiler that contracted a * b + c would show, too.
+#include "impulse_paths.h"
 #include "pairs.h"
-#include "paths.h"
 #include "quadratics.h"
 #include "suite.h"
 #include <brink/event_time.h>
-#include <brink/impulse.h>
 #include <brink/quadratic.h>
 
 enum { CASES_A_FAMILY = 2000, SEED = 1 };
@@ -16,20 +15,6 @@ typedef int roots(double a, double b, double c, double *x0, double *x1);
 typedef double pair_time(const double r[3], const double v[3], double sigma);
 typedef double wall_time(const double r[3], const double v[3], const double n[3],
                          const double c[3]);
-typedef int step(const double r[3], double m1, double m2, double rise,
-                 enum brink_direction way, double v1[3], double v2[3],
-                 double *virial);
-typedef double core(const double r[3], double m1, double m2, double v1[3],
-                    double v2[3]);
-typedef int rim(const double r[3], double m1, double m2, double v1[3],
-                double v2[3]);
-typedef int step_balanced(const double r[3], double m1, double m2, double rise,
-                          enum brink_direction way, double v1[3], double v2[3],
-                          double *virial, double *owed);
-typedef double core_balanced(const double r[3], double m1, double m2,
-                             double v1[3], double v2[3], double *owed);
-typedef int rim_balanced(const double r[3], double m1, double m2, double v1[3],
-                         double v2[3], double *owed);
 typedef void times(size_t n, const double *rx, const double *ry, const double *rz,
                    const double *vx, const double *vy, const double *vz,
                    const double *sigma, double *t);
@@ -45,12 +30,6 @@ PATHS_OF(pair_time, brink_disjoint_time_fast)
 PATHS_OF(pair_time, brink_disjoint_time_cr)
 PATHS_OF(pair_time, brink_disjoint_time_slow)
 PATHS_OF(wall_time, brink_halfspace_time)
-PATHS_OF(step, brink_step_impulse)
-PATHS_OF(core, brink_core_impulse)
-PATHS_OF(rim, brink_rim_impulse)
-PATHS_OF(step_balanced, brink_step_impulse_balanced)
-PATHS_OF(core_balanced, brink_core_impulse_balanced)
-PATHS_OF(rim_balanced, brink_rim_impulse_balanced)
 PATHS_OF(times, brink_intersection_times)
 PATHS_OF(times, brink_intersection_times_fast)
 PATHS_OF(times, brink_disjoint_times)
@@ -143,47 +122,6 @@ START_TEST(batches_are_the_same_on_every_path)
         }
 }
 END_TEST
-
-/** The step, the core and the rim one after the other: what they answer and leave
- *  in the velocities. */
-static void impulses(int path, const double r[3], double m1, double m2,
-                     double rise, double y[15])
-{
-    step *const at_step[] = PATHS(brink_step_impulse);
-    core *const at_core[] = PATHS(brink_core_impulse);
-    rim *const at_rim[] = PATHS(brink_rim_impulse);
-    double *v1 = y, *v2 = y + 3, v3[3], v4[3];
-    memcpy(v3, v1, sizeof v3);
-    memcpy(v4, v2, sizeof v4);
-    const enum brink_direction way = rise > 0 ? BRINK_INWARD : BRINK_OUTWARD;
-    y[6] = at_step[path](r, m1, m2, rise, way, v1, v2, &y[7]);
-    y[8] = at_rim[path](r, m1, m2, v1, v2);
-    y[9] = at_core[path](r, m1, m2, v3, v4);
-    for (int k = 0; k < 3; k++)
-        y[10 + k] = v3[k] - v4[k];
-    y[13] = v3[0];
-    y[14] = v4[0];
-}
-
-/** The same, with an account of energy. */
-static void balanced_impulses(int path, const double r[3], double m1, double m2,
-                              double rise, double y[15])
-{
-    step_balanced *const at_step[] = PATHS(brink_step_impulse_balanced);
-    core_balanced *const at_core[] = PATHS(brink_core_impulse_balanced);
-    rim_balanced *const at_rim[] = PATHS(brink_rim_impulse_balanced);
-    double *v1 = y, *v2 = y + 3, v3[3], v4[3];
-    memcpy(v3, v1, sizeof v3);
-    memcpy(v4, v2, sizeof v4);
-    const enum brink_direction way = rise > 0 ? BRINK_INWARD : BRINK_OUTWARD;
-    y[14] = 0x1p-52 * rise;
-    y[6] = at_step[path](r, m1, m2, rise, way, v1, v2, &y[7], &y[14]);
-    y[13] = y[14];
-    y[8] = at_rim[path](r, m1, m2, v1, v2, &y[14]);
-    y[9] = at_core[path](r, m1, m2, v3, v4, &y[13]);
-    for (int k = 0; k < 3; k++)
-        y[10 + k] = v3[k] - v4[k];
-}
 
 START_TEST(impulses_are_the_same_on_every_path)
 {

@@ -64,6 +64,17 @@ static long double distance_at(const double *x, long double t)
     return sqrtl(square);
 }
 
+/** How much farther away the pair is at time t than at s.  Not a difference of
+ *  distances: these may be large beside sigma + |v| t. */
+static long double gone_between(const double *x, long double s, long double t)
+{
+    const long double sum = distance_at(x, s) + distance_at(x, t);
+    long double rate = 0;
+    for (int i = 0; i < 3; i++)
+        rate += x[3 + i] * (2.0L * x[i] + x[3 + i] * (s + t));
+    return sum > 0 ? (t - s) * rate / sum : 0;
+}
+
 static double in_eps(const double *x, long double distance, long double t)
 {
     const long double size = x[6] + size_of(x + 3) * t;
@@ -131,8 +142,8 @@ static verdict judge_disjoint(const double *x, const truth *t, int n,
     if (v.wrong == WRONG_SPURIOUS || isinf(y[0]) || isinf(exact->hi))
         v.error[1] = (double)INFINITY;
     else
-        v.error[1] = in_eps(x, distance_at(x, y[0]) - distance_at(x, exact->hi),
-                            fmaxl(y[0], exact->hi));
+        v.error[1] =
+            in_eps(x, gone_between(x, exact->hi, y[0]), fmaxl(y[0], exact->hi));
     return v;
 }
 

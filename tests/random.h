@@ -24,8 +24,8 @@ static inline stream stream_of_bytes(const unsigned char *bytes, size_t count)
     return (stream){.bytes = bytes, .left = count};
 }
 
-/** 64 bits, of which the lowest 8 `count` are the next bytes, 1 to 8 of them, if as
- * many are left: a fuzzer that changes one byte is to change one thing. */
+/** 64 bits, of which the lowest 8 `count` are the next bytes, 1 to 8 of them, if
+ * as many are left: a fuzzer that changes one byte is to change one thing. */
 static inline uint64_t stream_word(stream *s, unsigned count)
 {
     if (s->left >= count) {

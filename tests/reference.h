@@ -34,7 +34,7 @@ typedef struct reference_event {
 void reference_create(reference *w, const brink_system *system, mpfr_prec_t bits);
 void reference_destroy(reference *w);
 
-/** Before the first event: v *= 1 +- size, each component by a sign of its own. */
+/** Before the first event: v *= 1 +- size, each component by its own sign. */
 void reference_deflect(reference *w, double size, unsigned long signs);
 
 /** The same for positions: x += +-size of the box's length. */

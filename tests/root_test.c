@@ -162,6 +162,33 @@ START_TEST(a_double_root_halfway_between_two_doubles_goes_to_the_even_one)
 }
 END_TEST
 
+/* Two roots 2^-94 apart whose vertex is 2^-90 to this side or that of a midpoint
+ * near 1: the polynomial's value at the midpoint is the same for both of them, so
+ * it is its slope that tells. */
+START_TEST(two_roots_close_to_a_midpoint_go_to_their_side)
+{
+    stream s = stream_of_seed(SEED);
+    for (int i = 0; i < CASES; i++) {
+        const int64_t low = (int64_t)(stream_bits(&s) >> 11 | UINT64_C(1) << 52);
+        for (int side = -1; side <= 1; side += 2) {
+            brink_dyadic one, zero, half, off, vertex, b, square, d, c;
+            brink_dyadic_integer(&one, 1, 0);
+            brink_dyadic_integer(&zero, 0, 0);
+            brink_dyadic_integer(&half, 2 * low + 1, -53);
+            brink_dyadic_integer(&off, side, -90);
+            brink_dyadic_add(&vertex, &half, &off);
+            brink_dyadic_sub(&b, &zero, &vertex); // (x - vertex)^2 - d
+            brink_dyadic_integer(&d, 1, -190);
+            brink_dyadic_mul(&square, &vertex, &vertex);
+            brink_dyadic_sub(&c, &square, &d);
+            const double there = ldexp((double)(low + (side > 0)), -52);
+            ck_assert(brink_dyadic_root(&one, &b, &c, &d, BRINK_LOWER) == there);
+            ck_assert(brink_dyadic_root(&one, &b, &c, &d, BRINK_UPPER) == there);
+        }
+    }
+}
+END_TEST
+
 START_TEST(a_root_at_0_is_0)
 {
     brink_dyadic one, two, zero;
@@ -202,5 +229,6 @@ int main(void)
         "root", 300, roots_are_correctly_rounded, quotients_are_correctly_rounded,
         midpoints_go_to_even_and_their_neighbours_to_their_side,
         a_double_root_halfway_between_two_doubles_goes_to_the_even_one,
-        a_root_at_0_is_0, the_edges_of_the_range_round_as_ieee_has_it);
+        two_roots_close_to_a_midpoint_go_to_their_side, a_root_at_0_is_0,
+        the_edges_of_the_range_round_as_ieee_has_it);
 }

@@ -132,12 +132,13 @@ typedef struct slide {
     brink_particle pair[2];
 } slide;
 
-/* Found by fuzz/run_fuzz.c.  Two in contact at their cores, of which their relative
- * velocity is a tangent, all but 2^-54 of it.
+/* Found by fuzz/run_fuzz.c.  Two in contact at their cores, of which their
+ * relative velocity is a tangent, all but 2^-54 of it.
  *
  * The first: what the impulse changes is less than a rounding of velocities three
- * times as large.  The second: r.v is 0, no event; but the fast tier's r.v is below.
- * Either way they met again at the same instant, 1034 times, and the run stopped. */
+ * times as large.  The second: r.v is 0, no event; the fast tier's r.v is below.
+ * Either way they met again at the same instant, 1034 times, and the run
+ * stopped. */
 static const slide slides[] = {
     {2,
      {0x1.54bc7fcac0832p+2, 0x1.54bc7fcac0832p+2, 1},
@@ -182,7 +183,7 @@ static void slide_along(const slide *of, const brink_potential *p,
     }
     ck_assert_msg(run.tally.zero_time == 0, "%lu events at one instant",
                   (unsigned long)run.tally.zero_time);
-    // Twice a sum of few terms, and this one: a rounding each of the largest part.
+    // Two sums of few terms, and this one: a rounding each of the largest part.
     ck_assert_double_le(fabs(brink_run_energy(&run) + run.owed - energy),
                         4 * DBL_EPSILON * most);
     brink_run_destroy(&run);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
+#include "run_predict.h"
 #include "suite.h"
 #include "systems.h"
 #include <float.h>
@@ -164,6 +165,20 @@ START_TEST(nothing_that_moves_is_at_rest)
 }
 END_TEST
 
+START_TEST(who_never_meets_does_not_fly_on_unheard)
+{
+    brink_run run; // side by side, beyond each other's reach
+    make_pair(&run, &well, (double[]){4, 4, 0}, (double[]){0, 0, 0});
+    for (uint32_t i = 0; i < 2; i++)
+        run.system.particle[i].v[0] = 1;
+    for (uint32_t i = 0; i < 2; i++)
+        brink_predict(&run, i, 0.0);
+    ck_assert_int_eq(brink_run_advance(&run, 1, BRINK_NEVER), BRINK_RUN_QUIET);
+    ck_assert_uint_gt(run.tally.cell, BRINK_PATIENCE);
+    brink_run_destroy(&run);
+}
+END_TEST
+
 START_TEST(a_run_whose_clock_stands_still_stops_and_names_the_pair)
 {
     // As if endless events had gone by at the instant of the eleventh.
@@ -224,6 +239,7 @@ int main(void)
                      who_only_touches_or_is_too_far_has_no_event,
                      a_pair_meets_its_image_round_the_box,
                      nothing_that_moves_is_at_rest,
+                     who_never_meets_does_not_fly_on_unheard,
                      a_run_whose_clock_stands_still_stops_and_names_the_pair,
                      an_event_that_contradicts_the_state_is_refused,
                      pressure_is_that_of_the_virial);

@@ -189,6 +189,8 @@ static const struct fault {
     {BOX SPECIES "run: {events: 1e6}\n", 3, 15, "write 1000000"},
     {BOX SPECIES "run: {time: -1}\n", 3, 13, "must be more than 0"},
     {BOX SPECIES "run: {events_per_particle: 1e14}\n", 3, 28, "more than 2^53"},
+    {BOX "species: {A: {count: 1, diameter: 1}}\nrun: {events: 5}\n", 3, 15,
+     "one particle meets nobody"},
     {BOX SPECIES "run: {events: 1, time: 1}\n", 3, 18,
      "both 'events' and 'time'"},
     {BOX SPECIES "output: {trajectory: 0}\n", 3, 22, "must be more than 0"},

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <brink/event_time.h>
+
+#include "../tests/paths.h"
+#include "laws.h"
+
+typedef double wall_time(const double r[3], const double v[3], const double n[3],
+                         const double c[3]);
+PATHS_OF(wall_time, brink_halfspace_time)
+
+static void keep_to_paths(const double *x)
+{
+    wall_time *const on[3] = PATHS(brink_halfspace_time);
+    const double t = brink_halfspace_time(x, x + 3, x + 6, x + 9);
+    for (int path = 0; path < PATHS_IN_ALL && can_try(path); path++) {
+        if (same(t, on[path](x, x + 3, x + 6, x + 9)))
+            continue;
+        FINDING("halfspace_time: path %d, other bits", path);
+        finding_numbers("x", 12, x);
+        finding_end();
+    }
+}
+
+/** Of whole numbers: f and its rate are whole, below 2^53, and their quotient is
+ *  rounded once. */
+static void check_whole(stream *s)
+{
+    double x[12];
+    int64_t f = 0, rate = 0;
+    const int most = 1 << stream_int(s, 1, 24);
+    for (int i = 0; i < 12; i++)
+        x[i] = stream_int(s, -most, most);
+    if (stream_int(s, 0, 1)) // next to the plane, or on it
+        for (int i = 0; i < 3; i++)
+            x[9 + i] = x[i] + stream_int(s, -1, 1);
+    for (int i = 0; i < 3; i++) {
+        f += (int64_t)x[6 + i] * (int64_t)(x[i] - x[9 + i]);
+        rate += (int64_t)x[6 + i] * (int64_t)x[3 + i];
+    }
+    double right = f <= 0 ? 0 : (double)f / -(double)rate;
+    if (rate >= 0)
+        right = (double)INFINITY;
+    const double t = brink_halfspace_time(x, x + 3, x + 6, x + 9);
+    if (t == right)
+        return;
+    FINDING("halfspace_time: %a, in whole numbers %a", t, right);
+    finding_numbers("x", 12, x);
+    finding_end();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static const lawful law = {&problem_halfspace_time, "LLLVVVNNNLLL", "T"};
+    stream s = stream_of_bytes(data, size);
+    double x[PROBLEM_INPUTS] = {0};
+    truth right = {0};
+    check_whole(&s);
+    contract_case(&problem_halfspace_time, &s, 12, x);
+    problem_halfspace_time.solve(x, &right);
+    contract_check(&problem_halfspace_time, RANK_PLAIN, x, &right);
+    laws_check(&law, RANK_PLAIN, x, &s);
+    keep_to_paths(x);
+    return 0;
+}
