@@ -97,20 +97,22 @@ static bytes seal(const bytes *body)
 }
 
 /** A number as a file may have it that is meant to do harm. */
-static uint64_t make_number(stream *s)
+static uint64_t make_number(stream *s, uint64_t old)
 {
     static const double reals[] = {
         0, -1, 1e300, 0x1p-1074, (double)INFINITY, (double)NAN};
     uint64_t word = 0;
-    switch (stream_int(s, 0, 4)) {
+    switch (stream_int(s, 0, 5)) {
     case 0:
-        return (uint64_t)(int64_t)stream_int(s, -2, 20);
-    case 1:
-        return UINT64_C(1) << stream_int(s, 0, 63);
+        return (uint64_t)(int64_t)stream_int(s, -2, 130);
+    case 1: // what there is, or nearly
+        return old + (uint64_t)(int64_t)stream_int(s, -2, 2);
     case 2:
+        return UINT64_C(1) << stream_int(s, 0, 63);
+    case 3:
         memcpy(&word, &reals[stream_int(s, 0, 5)], sizeof word);
         return word;
-    case 3:
+    case 4:
         return UINT64_MAX >> stream_int(s, 0, 40);
     default:
         return stream_bits(s);
@@ -128,10 +130,13 @@ static void forge(bytes *b, stream *s)
         break;
     case 1:
     case 2: { // whole numbers are at multiples of four
-        const uint64_t number = make_number(s);
-        const size_t four = at / 4 * 4;
-        const size_t room = b->size - four, size = stream_int(s, 0, 1) ? 4 : 8;
-        memcpy(b->byte + four, &number, room < size ? room : size);
+        const size_t four = at / 4 * 4, room = b->size - four;
+        const size_t wanted = stream_int(s, 0, 1) ? 4 : 8;
+        const size_t size = room < wanted ? room : wanted;
+        uint64_t number = 0;
+        memcpy(&number, b->byte + four, size);
+        number = make_number(s, number);
+        memcpy(b->byte + four, &number, size);
         break;
     }
     case 3:
