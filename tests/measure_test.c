@@ -112,8 +112,8 @@ START_TEST(the_gap_is_how_far_the_pair_is_from_the_surface)
 }
 END_TEST
 
-// Found by fuzzing: distances a million times larger than what is flown were taken
-// from each other, and left their own rounding as a gap.
+// Found by fuzzing: distances a million times larger than what is flown were
+// taken from each other, and left their own rounding as a gap.
 START_TEST(far_pairs_that_hardly_move_are_judged_by_how_they_move)
 {
     stream s = stream_of_seed(1);
@@ -129,8 +129,8 @@ START_TEST(far_pairs_that_hardly_move_are_judged_by_how_they_move)
             x[k] -= along / square * x[3 + k];
         truth t;
         problem_disjoint.solve(x, &t);
-        // That is at some t = 2^-52; at 3 t it is (2 t)^2 / 2 farther, a few eps of
-        // t.  The rounding of its distance in long double would be 2^40 of them.
+        // That is at some t = 2^-52; at 3 t it is (2 t)^2 / 2 farther, a few eps
+        // of t.  A distance rounded to long double would be off by 2^40 of them.
         const double y = 3 * t.x[0].nearest;
         ck_assert(problem_disjoint.judge(x, &t, 0, &y).error[1] < 0x1p10);
     }
