@@ -23,6 +23,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 #define FINDING(...)                                                             \
     (fprintf(stderr, "finding: " __VA_ARGS__), fputc('\n', stderr))
 
+/** What must hold, or else is said to have been broken. */
+#define LAW(holds, ...)                                                          \
+    do {                                                                         \
+        if (!(holds)) {                                                          \
+            FINDING(__VA_ARGS__);                                                \
+            finding_end();                                                       \
+        }                                                                        \
+    } while (0)
+
 /** Prints n numbers in hex as the inside of a C initializer, and as a line of
  *  tests/NAME.wc is written. */
 static inline void finding_numbers(const char *name, int n, const double *x)

@@ -14,7 +14,7 @@
  * particle is looked for in its three nearest images: a particle travels at most
  * a third of the box between two crossings, a pair two thirds, and the fourth
  * image would have to come a whole box nearer to be within the interaction's
- * range, which is at most half the box.
+ * range, which is less than half the box.
  */
 #include "system.h"
 
@@ -58,11 +58,6 @@ static inline brink_crossing brink_crossing_of(uint32_t number)
 {
     return (brink_crossing){(int)(number / 2), number % 2 ? 1 : -1};
 }
-
-/** What is told from rounded positions is told with this much to spare, so that a
- * pair in range is found wherever rounding has put it: 2^-20 against errors of
- * some 2^-50. */
-#define BRINK_SLACK (1.0 + 0x1p-20)
 
 /** Chooses cells for the system, wider than `reach`, and files every particle by
  * its position.  0, -1 no memory.  Needs reach <= length / 2 on every axis. */

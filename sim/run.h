@@ -27,7 +27,9 @@ typedef struct brink_tally {
     uint64_t clamped;   // due when predicted, the pair already beyond the surface
     uint64_t zero_time; // at the same instant as the event before
     uint64_t repeated;  // of these, those of the same pair as the event before
-    uint64_t rim;       // bounces turned inward, see <brink/impulse.h>
+    // bounces turned inward, see <brink/impulse.h>; and cores and bounces from
+    // outside that a rounding would have left going in, turned outward
+    uint64_t rim;
     uint64_t refused;   // refused by the state machine: stops the run
     brink_sum virial;   // of r.dp
     double contact_error_max; // max | |r| - distance | / distance at an event

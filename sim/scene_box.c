@@ -68,10 +68,11 @@ static void check_box(brink_source *s, const brink_scene *scene, brink_mark at)
         most = fmax(most, scene->length[a]);
         volume *= scene->length[a];
     }
-    if (least < 2 * range)
+    // At just that a pair meets in two images at once: a rounding would choose.
+    if (least < 2 * range * BRINK_SLACK)
         brink_complain(
             s, at,
-            "the box is %g wide, less than twice the %g that the potentials "
+            "the box is %g wide, not more than twice the %g that the potentials "
             "reach\nmake it wider, with more particles or at a lower density",
             least, range);
     if (most > BOX_MOST * shortest)

@@ -79,8 +79,8 @@ const char *brink_system_is_valid(const brink_system *s)
             return "a potential's steps are not decreasing distances with "
                    "energies";
     for (int a = 0; a < s->dimensions; a++)
-        if (s->range > s->length[a] / 2)
-            return "the interaction reaches further than half the box";
+        if (s->range * BRINK_SLACK > s->length[a] / 2)
+            return "the interaction reaches as far as half the box";
     for (uint32_t i = 0; i < s->count; i++) {
         const brink_particle *p = &s->particle[i];
         if (p->species >= (uint32_t)s->species_count)

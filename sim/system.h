@@ -23,6 +23,11 @@
 /** So many that two slots for each in a calendar have numbers of 31 bits. */
 #define BRINK_PARTICLES_MOST (UINT32_C(1) << 30)
 
+/** What is told from rounded positions is told with this much to spare, so that a
+ * pair in range is found wherever rounding has put it: 2^-20 against errors of
+ * some 2^-50. */
+#define BRINK_SLACK (1.0 + 0x1p-20)
+
 typedef struct brink_particle {
     uint64_t x[3]; // position: fraction of the box's length, in units of 2^-64
     double v[3];   // velocity
@@ -50,7 +55,8 @@ typedef struct brink_system {
     int species_count;
     brink_species *species;     // species_count
     brink_potential *potential; // [a * species_count + b], symmetric
-    double range;               // the largest distance of any step
+    double range;               // the largest distance of any step; every side
+                                // is longer than twice that by BRINK_SLACK
 } brink_system;
 
 /** Makes a system of `count` particles at rest at the origin, all of species 0,

@@ -138,8 +138,8 @@ def check_fuzz_table():
     for line in (ROOT / "fuzz/README.md").read_text().splitlines():
         cells = [c.strip() for c in line.strip("|").split("|")]
         if len(cells) == 3 and cells[0].startswith("`"):
-            for name in re.findall(r"`(\w+)`", cells[0]):
-                table[name] = re.findall(r"`(\w+)`", cells[1])
+            for name in re.findall(r"`([\w/.]+)`", cells[0]):
+                table.setdefault(name, []).extend(re.findall(r"`(\w+)`", cells[1]))
     declared = re.compile(r"^[\w ]+?[ *](brink_\w+)\(", re.MULTILINE)
     for kernel in sorted(public_kernels()):
         header = (ROOT / f"kernels/{kernel}.h").read_text()

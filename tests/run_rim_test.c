@@ -126,8 +126,86 @@ START_TEST(pairs_at_a_shoulder_are_let_go)
 }
 END_TEST
 
+typedef struct slide {
+    int dimensions;
+    double box[3], mass, year;
+    brink_particle pair[2];
+} slide;
+
+/* Found by fuzz/run_fuzz.c.  Two in contact at their cores, of which their
+ * relative velocity is a tangent, all but 2^-54 of it.
+ *
+ * The first: what the impulse changes is less than a rounding of velocities three
+ * times as large.  The second: r.v is 0, no event; the fast tier's r.v is below.
+ * Either way they met again at the same instant, 1034 times, and the run
+ * stopped. */
+static const slide slides[] = {
+    {2,
+     {0x1.54bc7fcac0832p+2, 0x1.54bc7fcac0832p+2, 1},
+     64,
+     2,
+     {{.x = {0x2c829abe1f453200, 0xc584133ac916a800},
+       .v = {0x1.11e3f5797548ap-1, 0x1.99b82a15d79bap+0}},
+      {.x = {0x28a0725c18066000, 0xadca21d906abf000},
+       .v = {0x1.0743aea947e4cp+0, 0x1.850b43755b883p+0}}}},
+    {3,
+     {0x1.7700177p+6, 0x1.e0001e000000ap+0, 0x1.2d33460666666p+2},
+     1,
+     0x1p-7,
+     {{.x = {0x8705aab22ab87e45, 0x6a73e0a53cb0d8d3, 0xcc1a2380ad4aa788},
+       .v = {-0x1.1d52643f9d01dp+0, 0x1.f483cca85ab54p-3, 0x1.2b44c1fff0aeap+0}},
+      {.x = {0x8592f0855667da55, 0xb2dc3d66b470c8d3, 0xcc1a2380ad4aa788},
+       .v = {-0x1.77d4ddd999f1p+0, -0x1.bf20004f19888p-4,
+             0x1.2b44c1fff0aeap+0}}}},
+};
+
+/** In contact at the inner of two steps, at level 1. */
+static void slide_along(const slide *of, const brink_potential *p,
+                        enum brink_tier tier)
+{
+    const brink_species species = {"A", of->mass, 0, 2};
+    brink_system s;
+    brink_run run;
+    ck_assert_int_eq(brink_system_create(&s, of->dimensions, of->box, of->year, 2,
+                                         1, &species, p),
+                     0);
+    s.particle[0] = of->pair[0];
+    s.particle[1] = of->pair[1];
+    ck_assert_int_eq(brink_run_create(&run, &s, tier), 0);
+    brink_states_set(&run.states, &run.system, 0, 1, 1);
+    brink_predict(&run, 0, 0.0);
+    brink_predict(&run, 1, 0.0);
+    const double energy = brink_run_energy(&run);
+    double most = brink_system_kinetic_energy(&run.system);
+    for (uint64_t events = 1; events <= 5; events++) {
+        advance(&run, events);
+        most = fmax(most, brink_system_kinetic_energy(&run.system));
+    }
+    ck_assert_msg(run.tally.zero_time == 0, "%lu events at one instant",
+                  (unsigned long)run.tally.zero_time);
+    // Two sums of few terms, and this one: a rounding each of the largest part.
+    ck_assert_double_le(fabs(brink_run_energy(&run) + run.owed - energy),
+                        4 * DBL_EPSILON * most);
+    brink_run_destroy(&run);
+}
+
+START_TEST(pairs_that_slide_along_a_core_or_a_shoulder_go_on)
+{
+    const double distance[][2] = {{0.6655000000000002, 0.5}, {0.9375, 0.75}};
+    const double core[] = {-2, (double)INFINITY}, step[] = {-2, 1e9};
+    for (int k = 0; k < 2; k++)
+        for (int tier = BRINK_TIER_FAST; tier <= BRINK_TIER_CR; tier++) {
+            slide_along(&slides[k], &(brink_potential){2, distance[k], core},
+                        (enum brink_tier)tier);
+            slide_along(&slides[k], &(brink_potential){2, distance[k], step},
+                        (enum brink_tier)tier);
+        }
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("run, rim", 300, captured_pairs_on_the_rim_make_progress,
-                     pairs_at_a_shoulder_are_let_go);
+                     pairs_at_a_shoulder_are_let_go,
+                     pairs_that_slide_along_a_core_or_a_shoulder_go_on);
 }

@@ -157,7 +157,7 @@ static const struct fault {
     {ONE("[[1, '.inf']]"), 5, 17, "take off the quotes"},
     {ONE("[[.inf, 1]]"), 5, 14, "write a finite number"},
     {ONE("[[0, .inf]]"), 5, 14, "must be more than 0"},
-    {ONE("[[6, -1], [1, .inf]]"), 1, 23, "less than twice the 6"},
+    {ONE("[[6, -1], [1, .inf]]"), 1, 23, "not more than twice the 6"},
     {ONE("[[1, .inf]]") "  - {between: [A, A], steps: [[1, .inf]]}\n", 6, 15,
      "is given again"},
 #define MIXED(a, b)                                                              \

@@ -25,7 +25,6 @@
 #include "reference.h"
 #include "suite.h"
 #include "systems.h"
-#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -104,21 +103,6 @@ static int same(const reference_event *a, const reference_event *b)
            fabs(a->time - b->time) <= TIMES_PART;
 }
 
-/** v *= 1 +- size, each component by a sign of its own. */
-static void deflect(reference *w, double size, unsigned long signs)
-{
-    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(rng, signs);
-    for (uint32_t i = 0; i < w->system->count; i++)
-        for (int k = 0; k < 3; k++) {
-            double by = gsl_rng_uniform(rng) < 0.5 ? -size : size;
-            mpfr_mul_d(w->time, w->v[i][k], by, MPFR_RNDN);
-            mpfr_add(w->v[i][k], w->v[i][k], w->time, MPFR_RNDN);
-        }
-    mpfr_set_zero(w->time, 1);
-    gsl_rng_free(rng);
-}
-
 /** The first event at which a reference of `bits`, deflected, departs from
  *  `truth`, or `most`. */
 static int departs(const brink_system *system, mpfr_prec_t bits,
@@ -129,7 +113,7 @@ static int departs(const brink_system *system, mpfr_prec_t bits,
     reference_event e;
     int n = 0;
     reference_create(&w, system, bits);
-    deflect(&w, deflection, signs);
+    reference_deflect(&w, deflection, signs);
     while (n < most && reference_next(&w, &e) && same(&e, &truth[n]))
         n++;
     reference_destroy(&w);
