@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""How each tool is asked, and what of its answer counts as a proof.
+
+A tool is a function of the tree, a folder of its own to work in, and the proof's file; it
+gives whether all is proved, and what was said.  What a file needs beyond that it says itself,
+in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`).
+"""
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+
+LONGEST = 900  # seconds, for one proof
+
+
+def options_of(file):
+    """The words after `with:` in the first lines of a file."""
+    for line in file.read_text().splitlines()[:12]:
+        said = re.search(r"with: (.*?)(\*\)|\*/)?$", line)
+        if said:
+            return shlex.split(said.group(1))
+    return []
+
+
+def run(arguments, folder):
+    done = subprocess.run([str(a) for a in arguments], cwd=folder, text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LONGEST)
+    return done.returncode, done.stdout
+
+
+def coq(tree, build, file):
+    """Every theorem of the file and of those it requires; no axiom but the reals'.
+
+    Print Assumptions at the file's end shows what it rests on; `Admitted` and unknown axioms
+    are refused.
+    """
+    said = ""
+    for part in [tree / "proofs" / p for p in options_of(file)] + [file]:
+        shutil.copy(part, build)
+        text = part.read_text()
+        if re.search(r"\b(Admitted|admit|Axiom|Parameter|Conjecture)\b", text):
+            return False, f"{part.name} assumes what it should prove"
+        status, out = run(["coqc", "-Q", ".", "Brink", part.name], build)
+        said += out
+        if status:
+            return False, said
+    return True, said
+
+
+def gappa(tree, build, file):
+    """The bounds of a script, and their certificate checked by Coq."""
+    del tree
+    shutil.copy(file, build)
+    status, said = run(["gappa", file.name], build)
+    if status or "?" in said:
+        return False, said
+    status, certificate = run(["gappa", "-Bcoq", file.name], build)
+    if status:
+        return False, certificate
+    module = build / f"{file.stem}_certificate.v"
+    module.write_text(certificate)
+    status, more = run(["coqc", module.name], build)
+    return status == 0, said + more
+
+
+def wp(tree, build, file):
+    """Every goal of Frama-C's WP, run-time errors among them; frama-c itself succeeds with
+    goals open, so its summary is read."""
+    provers = pathlib.Path(__file__).parent / "why3.conf"
+    status, said = run(
+        ["env", f"WHY3CONFIG={provers}", "frama-c", "-wp", "-wp-rte", "-wp-cache", "none",
+         "-wp-smoke-tests", "-wp-par", "1", f"-cpp-extra-args=-I{tree / 'kernels'} -I{tree / 'sim'}",
+         *options_of(file), file], build)
+    goals = re.findall(r"Proved goals: +(\d+) / (\d+)", said)
+    return status == 0 and bool(goals) and goals[-1][0] == goals[-1][1] != "0", said
+
+
+def eva(tree, build, file):
+    """No alarm from Frama-C's Eva, and every assertion valid."""
+    status, said = run(
+        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none",
+         f"-cpp-extra-args=-I{tree / 'kernels'} -I{tree / 'sim'}", *options_of(file), file], build)
+    whole = "0 alarms generated" in said and "100% of the logical properties" in said
+    return status == 0 and whole, said
+
+
+def cvc5(tree, build, file):
+    """Unsatisfiable, bit by bit: there is no input that breaks the claim."""
+    del tree
+    status, said = run(["cvc5", "--fp-exp", *options_of(file), file], build)
+    answers = said.split()
+    return status == 0 and bool(answers) and set(answers) == {"unsat"}, said
+
+
+def small(tree, build, file):
+    """A program that tries every input of a small format; the kernels' own source with other
+    numbers in it.  Status 0: all hold."""
+    program = build / file.stem
+    status, said = run(["gcc", "-O2", "-std=c17", "-ffp-contract=off", f"-I{tree / 'kernels'}",
+                        *options_of(file), file, "-o", program, "-lm"], build)
+    if status:
+        return False, said
+    status, more = run([program], build)
+    return status == 0, said + more
+
+
+TOOLS = {"coq": coq, "gappa": gappa, "wp": wp, "eva": eva, "cvc5": cvc5, "small": small}
