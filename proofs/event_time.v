@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: MIT *)
-(* When a pair meets a sphere or leaves it, in real numbers: the functions that the
-   kernels evaluate are the moments that event_time.h promises. *)
+(* When a pair meets a sphere or leaves it, in real numbers: the functions that
+   the kernels evaluate are the moments that event_time.h promises. *)
 From Coq Require Import Reals Psatz.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 
-(* --- Vectors ----------------------------------------------------------------- *)
+(* --- Vectors ---------------------------------------------------------------- *)
 
 Record vector := Vector { x1 : R; x2 : R; x3 : R }.
 
@@ -21,7 +21,8 @@ Definition cross (p q : vector) :=
 Definition first (P : R -> Prop) (t : R) :=
   0 <= t /\ P t /\ forall s, 0 <= s < t -> ~ P s.
 
-(* What a time means: the first t >= 0 with the property, +inf where there is none. *)
+(* What a time means: the first t >= 0 with the property, +inf where there is
+   none. *)
 Definition means (P : R -> Prop) (time : Rbar) :=
   match time with
   | Finite t => first P t
@@ -29,7 +30,7 @@ Definition means (P : R -> Prop) (time : Rbar) :=
   | m_infty => False
   end.
 
-(* --- A pair in free flight --------------------------------------------------- *)
+(* --- A pair in free flight -------------------------------------------------- *)
 
 Section Pair.
 Variables (r v : vector) (sigma : R).
@@ -53,10 +54,11 @@ Theorem d_is_cross : d = sigma * sigma * a - dot (cross r v) (cross r v).
 Proof. unfold d, a, b, c, dot, cross; simpl; ring. Qed.
 
 Theorem f_is_polynomial t : f t = a * t * t + 2 * b * t + c.
-Proof. unfold f, ball_overlap, at_time, a, b, c, dot, add, times; simpl; ring. Qed.
+Proof. unfold f, ball_overlap, at_time, a, b, c, dot, add, times; simpl;
+  ring. Qed.
 
-(* The derivative is the derivative: f' = 2 (b + a t), and twice the overlap rate at
-   the place where the pair is then. *)
+(* The derivative is the derivative: f' = 2 (b + a t), and twice the overlap
+   rate at the place where the pair is then. *)
 Theorem f_derives t : is_derive f t (2 * (b + a * t)).
 Proof.
 apply is_derive_ext with (fun t => a * t * t + 2 * b * t + c).
@@ -81,7 +83,8 @@ Proof. unfold a, dot; nra. Qed.
 Lemma at_rest : a = 0 -> b = 0.
 Proof.
 unfold a, b, dot; intro Z.
-assert (x1 v = 0 /\ x2 v = 0 /\ x3 v = 0) as (-> & -> & ->) by (repeat split; nra).
+assert (x1 v = 0 /\ x2 v = 0 /\ x3 v = 0) as (-> & -> & ->)
+  by (repeat split; nra).
 ring.
 Qed.
 
@@ -89,7 +92,7 @@ Qed.
 Lemma completed_square t : a * f t = (a * t + b) * (a * t + b) - d.
 Proof. rewrite f_is_polynomial; unfold d; ring. Qed.
 
-(* --- Intersection ------------------------------------------------------------ *)
+(* --- Intersection ----------------------------------------------------------- *)
 
 (* Inside or on the sphere, and still approaching [S16 eq. 3]. *)
 Definition meets (t : R) := f t <= 0 /\ Derive f t < 0.
@@ -122,7 +125,8 @@ pose proof a_nonneg as A; pose proof at_rest as Rest.
 unfold intersection_time, means.
 destruct (Rle_dec 0 b) as [B|B].
 { intros t T [_ M]; rewrite derivative in M; nra. }
-assert (0 < a) by (destruct A as [A|A]; [exact A | specialize (Rest (eq_sym A)); lra]).
+assert (0 < a) by (destruct A as [A|A]; [exact A | specialize (Rest (eq_sym A));
+  lra]).
 destruct (Rle_dec c 0) as [C|C].
 { split; [lra|]; split; [|intros; lra]; split.
   - rewrite f_is_polynomial; lra.
@@ -145,7 +149,7 @@ split; [lra|]; split; [split|].
   nra.
 Qed.
 
-(* --- Disjoint ---------------------------------------------------------------- *)
+(* --- Disjoint --------------------------------------------------------------- *)
 
 (* From then on outside and parting. *)
 Definition is_apart_from (t : R) := forall s, t < s -> 0 < f s /\ 0 < Derive f s.
@@ -169,7 +173,8 @@ pose proof (sqrt_lt_R0 d D); pose proof (sqrt_sqrt d ltac:(lra)) as S.
 split; intro B.
 - assert (- c / (sqrt d + b) = (sqrt d - b) / a) as <-.
   { apply Rmult_eq_reg_l with (a * (sqrt d + b)); [|nra].
-    replace (a * (sqrt d + b) * (- c / (sqrt d + b))) with (- (a * c)) by (field; lra).
+    replace (a * (sqrt d + b) * (- c / (sqrt d + b))) with (- (a * c))
+      by (field; lra).
     replace (a * (sqrt d + b) * ((sqrt d - b) / a))
       with (sqrt d * sqrt d - b * b) by (field; lra).
     rewrite S; unfold d; ring. }
@@ -214,7 +219,8 @@ destruct (Rle_dec d 0) as [D|D].
     right; rewrite Rmax_right; lra.
   - rewrite Rmax_left by lra.
     replace (0 / a) with 0 by (field; lra).
-    apply first_apart; try lra; apply Rle_trans with 0; [exact D | apply Rle_0_sqr]. }
+    apply first_apart; try lra; apply Rle_trans with 0;
+      [exact D | apply Rle_0_sqr]. }
 pose proof (sqrt_lt_R0 d ltac:(lra)); pose proof (sqrt_sqrt d ltac:(lra)) as S.
 destruct (later_root ltac:(lra) ltac:(lra)) as [Ahead Behind].
 assert (a * ((sqrt d - b) / a) = sqrt d - b) as E by (field; lra).
@@ -234,7 +240,8 @@ Proof.
 split.
 - unfold disjoint_time; destruct (Req_EM_T a 0) as [Z|_].
   + intros _; unfold a, dot in Z.
-    assert (x1 v = 0 /\ x2 v = 0 /\ x3 v = 0) as (X & Y & W) by (repeat split; nra).
+    assert (x1 v = 0 /\ x2 v = 0 /\ x3 v = 0) as (X & Y & W)
+      by (repeat split; nra).
     destruct v; simpl in *; congruence.
   + destruct (Rle_dec d 0); [|destruct (Rlt_dec 0 b)]; discriminate.
 - intro Z; unfold disjoint_time, a; rewrite Z; unfold dot; simpl.
@@ -242,7 +249,7 @@ split.
 Qed.
 End Pair.
 
-(* --- Half-space -------------------------------------------------------------- *)
+(* --- Half-space ------------------------------------------------------------- *)
 
 Section Plane.
 Variables (r v n c : vector).

@@ -1,15 +1,16 @@
 (* SPDX-License-Identifier: MIT *)
 (* with: event_time.v *)
-(* Algorithm 2 as [S16] prints it is refuted by exhibited pairs: with its branches the
-   wrong way round it divides 0 by 0 in real numbers, and in binary64 answers NaN, or
-   "now", or another time than when the pair leaves. *)
+(* Algorithm 2 as [S16] prints it is refuted by exhibited pairs: with its
+   branches the wrong way round it divides 0 by 0 in real numbers, and in
+   binary64 answers NaN, or "now", or another time than when the pair leaves.
+   *)
 From Coq Require Import Reals Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Brink Require Import event_time.
 Open Scope R_scope.
 
-(* --- In real numbers --------------------------------------------------------- *)
+(* --- In real numbers -------------------------------------------------------- *)
 
 (* A pair in the middle of its way through: on the sphere, going in. *)
 Definition r0 := Vector (-1) 0 0.
@@ -54,13 +55,17 @@ apply Rmult_eq_reg_l with (a v * (s + b r v)).
 - intro Z; apply Rmult_integral in Z; lra.
 Qed.
 
-(* --- In binary64 ------------------------------------------------------------- *)
+(* --- In binary64 ------------------------------------------------------------ *)
 
 (* Round to nearest even, as the processor computes; no step is left out. *)
-Local Notation "x [+] y" := (b64_plus mode_NE x y) (at level 50, left associativity).
-Local Notation "x [-] y" := (b64_minus mode_NE x y) (at level 50, left associativity).
-Local Notation "x [*] y" := (b64_mult mode_NE x y) (at level 40, left associativity).
-Local Notation "x [/] y" := (b64_div mode_NE x y) (at level 40, left associativity).
+Local Notation "x [+] y" := (b64_plus mode_NE x y) (at level 50, left
+  associativity).
+Local Notation "x [-] y" := (b64_minus mode_NE x y) (at level 50, left
+  associativity).
+Local Notation "x [*] y" := (b64_mult mode_NE x y) (at level 40, left
+  associativity).
+Local Notation "x [/] y" := (b64_div mode_NE x y) (at level 40, left
+  associativity).
 Local Notation root := (b64_sqrt mode_NE).
 
 Definition dot64 (p q : binary64 * binary64 * binary64) :=
@@ -103,8 +108,8 @@ Theorem printed_is_not_a_number :
     (printed_quotient (minus_one, zero, zero) (one, zero, zero) one) = true.
 Proof. vm_compute; reflexivity. Qed.
 
-(* r = (-1, 2^-26, 0), v = (1, 0, 0), sigma = 1 + 2^-51: it answers 3, and the pair is
-   out a little after 2. *)
+(* r = (-1, 2^-26, 0), v = (1, 0, 0), sigma = 1 + 2^-51: it answers 3, and the
+   pair is out a little after 2. *)
 Theorem printed_is_three :
   value (printed_quotient (minus_one, small, zero) (one, zero, zero) little_more)
   = F754_finite false (3 * 2 ^ 51) (-51).

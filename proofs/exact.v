@@ -27,9 +27,10 @@ Lemma rnd_of_double x : is_double x -> rnd x = x.
 Proof. apply round_generic; auto with typeclass_instances. Qed.
 
 Lemma to_even_is_odd x : negb (Z.even x) = negb (negb (Z.even (- (x + 1)))).
-Proof. rewrite Z.even_opp, Z.even_add; simpl; destruct (Z.even x); reflexivity. Qed.
+Proof. rewrite Z.even_opp, Z.even_add; simpl; destruct (Z.even x);
+  reflexivity. Qed.
 
-(* --- two_sum, fast_two_sum, two_prod ----------------------------------------- *)
+(* --- two_sum, fast_two_sum, two_prod ---------------------------------------- *)
 
 Record dd := Dd { hi : R; lo : R }.
 
@@ -43,7 +44,8 @@ Definition fast_two_sum (a b : R) :=
 Definition two_prod (a b : R) :=
   let p := mult a b in Dd p (fma a b (- p)).
 
-(* hi + lo = a + b, exactly: no condition on a and b, gradual underflow included. *)
+(* hi + lo = a + b, exactly: no condition on a and b, gradual underflow
+   included. *)
 Theorem two_sum_is_exact a b : is_double a -> is_double b ->
   hi (two_sum a b) + lo (two_sum a b) = a + b.
 Proof.
@@ -63,7 +65,8 @@ intros A B [Larger | ->].
   unfold minus, plus; f_equal; unfold Rminus; f_equal.
   rewrite <- round_NE_opp; f_equal; ring.
 - simpl; unfold plus, minus; rewrite Rplus_0_l, Rminus_0_r.
-  rewrite !(rnd_of_double b B), Rminus_eq_0, round_0; auto with typeclass_instances.
+  rewrite !(rnd_of_double b B), Rminus_eq_0, round_0;
+    auto with typeclass_instances.
   ring.
 Qed.
 
@@ -87,14 +90,15 @@ Proof.
 intros A B; pose proof (two_sum_is_exact a b A B) as E.
 set (x := two_sum a b) in *.
 assert (hi x = rnd (a + b)) as H by reflexivity.
-destruct (FLT_plus_error_N_round_ex radix2 emin prec (fun x => negb (Z.even x)) a b A B)
+destruct (FLT_plus_error_N_round_ex radix2 emin prec (fun x => negb (Z.even x))
+  a b A B)
   as (eps & Small & S).
 replace (lo x) with (hi x * eps) by (rewrite H; rewrite H in E; lra).
 rewrite Rabs_mult, Rmult_comm; apply Rmult_le_compat_r; [apply Rabs_pos|].
 apply Rle_trans with (1 := Small); unfold u_ro; simpl; lra.
 Qed.
 
-(* --- is_told ----------------------------------------------------------------- *)
+(* --- is_told ---------------------------------------------------------------- *)
 
 Lemma told_by_more t x : is_double (hi t) ->
   fma (lo t) (1 + pow (-15)) (hi t) = hi t ->
@@ -111,18 +115,21 @@ apply Rle_antisym.
   + rewrite <- (rnd_of_double _ H); apply round_le; auto with typeclass_instances.
     rewrite Rabs_left in Near by assumption; nra.
 - destruct (Rle_or_lt 0 (lo t)).
-  + rewrite <- (rnd_of_double _ H) at 1; apply round_le; auto with typeclass_instances.
+  + rewrite <- (rnd_of_double _ H) at 1; apply round_le;
+      auto with typeclass_instances.
     rewrite Rabs_pos_eq in Near by assumption; nra.
   + rewrite <- Told at 1; apply round_le; auto with typeclass_instances.
     rewrite Rabs_left in Near by assumption; lra.
 Qed.
 
-(* No midpoint is nearer to a double than 2^-54 of it, but for less than 2^-106. *)
+(* No midpoint is nearer to a double than 2^-54 of it, but for less than
+   2^-106. *)
 Lemma near_is_nearest_pos h x : is_double h -> 0 < h ->
   Rabs (x - h) <= (pow (-55) + pow (-70)) * h -> rnd x = h.
 Proof.
 intros H P Near; apply Rabs_le_inv in Near.
-pose proof (ulp_FLT_gt radix2 emin prec h) as Up; rewrite Rabs_pos_eq in Up by lra.
+pose proof (ulp_FLT_gt radix2 emin prec h) as Up;
+  rewrite Rabs_pos_eq in Up by lra.
 pose proof (succ_pred radix2 exponent h H) as Back.
 assert (0 <= pred radix2 exponent h) as P0
   by (apply pred_ge_0; auto with typeclass_instances).
@@ -140,16 +147,17 @@ Lemma near_is_nearest h x : is_double h -> h <> 0 ->
   Rabs (x - h) <= (pow (-55) + pow (-70)) * Rabs h -> rnd x = h.
 Proof.
 intros H N Near; destruct (Rle_or_lt 0 h) as [P|P].
-- rewrite (Rabs_pos_eq h P) in Near; apply near_is_nearest_pos; try assumption; lra.
+- rewrite (Rabs_pos_eq h P) in Near; apply near_is_nearest_pos; try assumption;
+    lra.
 - rewrite (Rabs_left h P) in Near.
   rewrite <- (Ropp_involutive x), round_NE_opp, <- (Ropp_involutive h); f_equal.
   apply near_is_nearest_pos; [apply generic_format_opp, H | lra |].
   rewrite <- Rabs_Ropp; replace (- (- x - - h)) with (x - h) by ring; exact Near.
 Qed.
 
-(* is_told(): hi stays what it is when lo is added to it a little larger than it is.
-   Then hi is the double nearest to what hi + lo stands for, where that is known to
-   2^-70: of any magnitude, barring overflow. *)
+(* is_told(): hi stays what it is when lo is added to it a little larger than
+   it is. Then hi is the double nearest to what hi + lo stands for, where that
+   is known to 2^-70: of any magnitude, barring overflow. *)
 Definition is_told (x : dd) := fma (lo x) (1 + pow (-15)) (hi x) = hi x.
 
 Theorem told_is_nearest t x : is_double (hi t) -> is_told t ->
@@ -160,7 +168,8 @@ destruct (Rle_or_lt (pow (-55) * Rabs (hi t)) (Rabs (lo t))) as [Large|Little].
 - apply told_by_more; try assumption; apply Rle_trans with (1 := Near).
   simpl in Large |- *; lra.
 - apply near_is_nearest; try assumption.
-  + intro Z; rewrite Z, Rabs_R0, Rmult_0_r in Little; pose proof (Rabs_pos (lo t)); lra.
+  + intro Z; rewrite Z, Rabs_R0, Rmult_0_r in Little;
+      pose proof (Rabs_pos (lo t)); lra.
   + replace (x - hi t) with (lo t - (hi t + lo t - x)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra.
 Qed.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: MIT *)
 (* with: event_time.v *)
-(* What a pair does at a step, in real numbers: the expressions of impulse.c keep
-   momentum and, to the rise crossed, energy; for any two masses, wherever the pair was
-   put. *)
+(* What a pair does at a step, in real numbers: the expressions of impulse.c
+   keep momentum and, to the rise crossed, energy; for any two masses, wherever
+   the pair was put. *)
 From Coq Require Import Reals Psatz.
 From Brink Require Import event_time.
 Open Scope R_scope.
@@ -34,7 +34,8 @@ split; unfold mu, k1; [field; lra|].
 apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat|]; lra.
 Qed.
 
-(* Whatever w, momentum is kept, and w is what the relative velocity changes by. *)
+(* Whatever w, momentum is kept, and w is what the relative velocity changes
+   by. *)
 Theorem kick_keeps_momentum w v1 v2 :
   momentum (kick1 w v1) (kick2 w v2) = momentum v1 v2 /\
   sub (kick1 w v1) (kick2 w v2) = add (sub v1 v2) w.
@@ -51,7 +52,7 @@ unfold kinetic, kick1, kick2, mu, k1, k2, dot, sub, add, times; simpl.
 field; lra.
 Qed.
 
-(* --- Along the line of centres ----------------------------------------------- *)
+(* --- Along the line of centres ---------------------------------------------- *)
 
 Hypothesis Apart : rr <> 0. (* there is a line of centres: r is not 0 *)
 
@@ -63,8 +64,8 @@ Definition along (change : R) := times (change / rr) r.
 Definition change1 (change : R) := kick1 (along change).
 Definition change2 (change : R) := kick2 (along change).
 
-(* b becomes b + change, the radial energy with it and no other; the angular momentum
-   is kept, and r.dp is mu change. *)
+(* b becomes b + change, the radial energy with it and no other; the angular
+   momentum is kept, and r.dp is mu change. *)
 Theorem change_is_radial change v1 v2 :
   let b := speed v1 v2 in
   speed (change1 change v1) (change2 change v2) = b + change /\
@@ -88,7 +89,8 @@ repeat split.
   replace (dot (along change) (sub v1 v2)) with (change / rr * b)
     by (unfold along, b, speed; generalize (change / rr); intro k;
         unfold dot, times; simpl; ring).
-  replace (dot (along change) (along change)) with (change / rr * dot r (along change))
+  replace (dot (along change) (along change))
+    with (change / rr * dot r (along change))
     by (unfold along; generalize (change / rr); intro k;
         unfold dot, times; simpl; ring).
   rewrite Along.
@@ -100,11 +102,12 @@ repeat split.
   unfold kick1, mu, dot, sub, add, times; simpl; ring.
 Qed.
 
-(* --- What is owed ------------------------------------------------------------ *)
+(* --- What is owed ----------------------------------------------------------- *)
 
 (* pair_pay(): the change of a speed that is `after` without it. *)
 Definition gain (owed : R) := 2 * owed * rr / mu.
-Definition is_paid (owed after : R) := Rabs (gain owed) < / 2 ^ 20 * (after * after).
+Definition is_paid (owed after : R) := Rabs (gain owed) < / 2 ^ 20 * (after *
+  after).
 Definition payment (owed after : R) :=
   gain owed / (after + sqrt (after * after + gain owed)).
 
@@ -124,7 +127,7 @@ rewrite E; split; [|lra].
 unfold radial_energy; rewrite !Rmult_assoc, S; unfold gain; field; lra.
 Qed.
 
-(* --- Core, bounce, crossing -------------------------------------------------- *)
+(* --- Core, bounce, crossing ------------------------------------------------- *)
 
 Variable way : R. (* 1: outward, -1: inward *)
 Hypothesis Way : way = 1 \/ way = -1.
@@ -141,7 +144,8 @@ Definition crosses (rise b : R) := 0 < b * way * (b * way) - loss rise.
 Definition after (rise b : R) := sqrt (b * way * (b * way) - loss rise).
 Definition crossing (rise b p : R) :=
   let s := b * way in
-  ((if Rlt_dec 0 s then - loss rise / (after rise b + s) else after rise b - s) + p)
+  ((if Rlt_dec 0 s then - loss rise / (after rise b + s) else after rise b - s)
+    + p)
   * way.
 
 (* exact_surplus(): the pair crosses if its radial energy suffices. *)
@@ -165,8 +169,8 @@ split.
   split; intro; nra.
 Qed.
 
-(* A reflection: b goes against `way` afterwards, with the radial energy it had and
-   what is paid. *)
+(* A reflection: b goes against `way` afterwards, with the radial energy it had
+   and what is paid. *)
 Theorem reflection_keeps_energy b p :
   (b * way <= 0 -> reflection b p = 0) /\
   (0 < b * way -> b + reflection b p = - way * (b * way + p)).
@@ -177,8 +181,8 @@ replace (- way * (b * way + p)) with (- (way * way * b) - way * p) by ring.
 rewrite W; ring.
 Qed.
 
-(* A crossing: b is along `way` afterwards, with the radial energy less the rise and
-   what is paid. *)
+(* A crossing: b is along `way` afterwards, with the radial energy less the
+   rise and what is paid. *)
 Theorem crossing_costs_the_rise rise b p : crosses rise b ->
   b + crossing rise b p = way * (after rise b + p) /\ 0 < after rise b /\
   radial_energy (after rise b) = radial_energy b - rise.
@@ -197,8 +201,8 @@ split; [|split; [exact P|]].
   rewrite W; unfold loss; field; lra.
 Qed.
 
-(* The whole account.  Energy after and owed after are energy before and owed before,
-   less the rise where it was crossed; what is not paid stays owed. *)
+(* The whole account.  Energy after and owed after are energy before and owed
+   before, less the rise where it was crossed; what is not paid stays owed. *)
 Definition paid (owed after : R) :=
   if Rlt_dec (Rabs (gain owed)) (/ 2 ^ 20 * (after * after))
   then payment owed after else 0.
@@ -251,18 +255,20 @@ destruct (change_is_radial change v1 v2) as (B & E & _ & _).
 destruct (paid_and_owed owed s S) as [P Q].
 assert (b + change = - way * (s + paid owed s)) as S'
   by exact (proj2 (reflection_keeps_energy b (paid owed s)) S).
-replace (- way * (s + paid owed s)) with (way * - (s + paid owed s)) in S' by ring.
+replace (- way * (s + paid owed s))
+  with (way * - (s + paid owed s)) in S' by ring.
 unfold v1', v2'; split; [|split; [apply kick_keeps_momentum|]].
 - fold b in E; rewrite E, S', radial_energy_of_way.
   assert (radial_energy b = radial_energy s) as ->.
   { unfold s; rewrite (Rmult_comm b); symmetry; apply radial_energy_of_way. }
-  replace (radial_energy (- (s + paid owed s))) with (radial_energy (s + paid owed s))
+  replace (radial_energy (- (s + paid owed s)))
+    with (radial_energy (s + paid owed s))
     by (unfold radial_energy; f_equal; ring).
   lra.
 - rewrite B; fold b; rewrite S'; nra.
 Qed.
 
-(* --- The rim rule ------------------------------------------------------------ *)
+(* --- The rim rule ----------------------------------------------------------- *)
 
 Definition angle := / 2 ^ 24. (* BRINK_RIM_ANGLE *)
 
@@ -277,9 +283,9 @@ Definition rim_change :=
   let tangent := sub v (times (b / rr) r) in
   sub (add (times stretch tangent) (times (- (rim / rr)) r)) v.
 
-(* The relative velocity is turned inward to just that angle to the tangent, its
-   magnitude kept, hence the energy; the angular momentum changes to first order by
-   angle^2 / 2, never by more than 2^-49 + 2^-97 of itself. *)
+(* The relative velocity is turned inward to just that angle to the tangent,
+   its magnitude kept, hence the energy; the angular momentum changes to first
+   order by angle^2 / 2, never by more than 2^-49 + 2^-97 of itself. *)
 Theorem rim_keeps_energy : Rabs b < rim ->
   let v1' := kick1 rim_change v1 in let v2' := kick2 rim_change v2 in
   let v' := sub v1' v2' in
@@ -307,7 +313,8 @@ assert (0 <= b * b / rr) as E3.
 set (q := b * b / rr) in *.
 assert (0 < vv - q) as Q by lra.
 set (z := (vv - rim * rim / rr) / (vv - q)).
-assert (z * (vv - q) = vv - vv * / 2 ^ 48) as Z by (unfold z; rewrite E1; field; lra).
+assert (z * (vv - q) = vv - vv * / 2 ^ 48) as Z
+  by (unfold z; rewrite E1; field; lra).
 assert (1 - / 2 ^ 48 <= z < 1) as Z' by (split; nra).
 assert (stretch * stretch = z) as S by (apply sqrt_sqrt; lra).
 assert (0 <= stretch) as S0 by apply sqrt_pos.
@@ -334,7 +341,8 @@ split; [|split; [apply kick_keeps_momentum|split; [exact Same|split; [|split]]]]
         unfold dot, add; simpl; field).
   rewrite <- Turned, Same; field.
 - rewrite Turned; fold rim.
-  replace (dot r (add v rim_change)) with (stretch * (b - b / rr * rr) - rim / rr * rr)
+  replace (dot r (add v rim_change))
+    with (stretch * (b - b / rr * rr) - rim / rr * rr)
     by (unfold rim_change; generalize (b / rr) (rim / rr) stretch; intros k l e;
         unfold b, rr, dot, add, sub, times; simpl; ring).
   field; lra.
@@ -349,10 +357,11 @@ split; [|split; [apply kick_keeps_momentum|split; [exact Same|split; [|split]]]]
 Qed.
 End Pair.
 
-(* --- What rounding takes ----------------------------------------------------- *)
+(* --- What rounding takes ---------------------------------------------------- *)
 
-(* pair_kick(): a velocity x + y is rounded to x, |y| <= u |x|.  The account puts down
-   m x y; what that leaves out of the energy is m y^2 / 2, u^2 of it. *)
+(* pair_kick(): a velocity x + y is rounded to x, |y| <= u |x|.  The account
+   puts down m x y; what that leaves out of the energy is m y^2 / 2, u^2 of it.
+   *)
 Theorem account_of_rounding m x y u : 0 < m -> 0 <= u -> Rabs y <= u * Rabs x ->
   0 <= m * (x + y) * (x + y) / 2 - (m * x * x / 2 + m * (x * y))
   <= u * u * (m * x * x / 2).
