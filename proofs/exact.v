@@ -173,3 +173,62 @@ destruct (Rle_or_lt (pow (-55) * Rabs (hi t)) (Rabs (lo t))) as [Large|Little].
   + replace (x - hi t) with (lo t - (hi t + lo t - x)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra.
 Qed.
+
+(* --- Double-double times double --------------------------------------------- *)
+
+Definition dd_mul_d (x : dd) (y : R) :=
+  let p := two_prod (hi x) y in fast_two_sum (hi p) (fma (lo x) y (lo p)).
+
+(* What the one rounding that is not made good leaves: 2u^2 of |hi y|. *)
+Theorem dd_mul_d_is_close x y : is_double (hi x) -> is_double y ->
+  Rabs (lo x) <= pow (-53) * Rabs (hi x) -> pow (-960) <= Rabs (hi x * y) ->
+  Rabs (hi (dd_mul_d x y) + lo (dd_mul_d x y) - (hi x + lo x) * y)
+  <= pow (-105) * Rabs (hi x * y).
+Proof.
+intros H Y L Large.
+assert (pow (-969) <= Rabs (hi x * y)) as Large'
+  by (apply Rle_trans with (2 := Large), bpow_le; lia).
+pose proof (two_prod_is_exact _ _ H Y (or_intror Large')) as P.
+set (p := two_prod (hi x) y) in *; set (e := Rabs (hi x * y)) in *.
+assert (Rabs (hi p - hi x * y) <= / 2 * pow (- (53) + 1) * e) as Rel.
+{ apply relative_error_N_FLT; [easy|].
+  apply Rle_trans with (2 := Large), bpow_le; unfold emin, prec; lia. }
+assert (Rabs (lo p) <= pow (-53) * e) as Lp.
+{ replace (lo p) with (- (hi p - hi x * y)) by lra; rewrite Rabs_Ropp.
+  simpl (pow _) in Rel |- *; lra. }
+assert (Rabs (lo x * y) <= pow (-53) * e) as Lx.
+{ unfold e; rewrite !Rabs_mult, <- Rmult_assoc.
+  apply Rmult_le_compat_r; [apply Rabs_pos | exact L]. }
+assert (0 < e) as E by (apply Rlt_le_trans with (2 := Large), bpow_gt_0).
+set (z := lo x * y + lo p).
+assert (Rabs z <= pow (-52) * e) as Z.
+{ apply Rle_trans with (1 := Rabs_triang _ _).
+  simpl (pow _) in Lp, Lx |- *; lra. }
+assert (Rabs (rnd z - z) <= pow (-105) * e) as Last.
+{ apply Rle_trans with (/ 2 * ulp radix2 exponent (pow (-52) * e)).
+  - apply Rle_trans with (/ 2 * ulp radix2 exponent z).
+    + apply error_le_half_ulp; auto with typeclass_instances.
+    + apply Rmult_le_compat_l; [lra|]; apply ulp_le;
+        auto with typeclass_instances.
+      rewrite (Rabs_pos_eq (pow (-52) * e)); [exact Z|].
+      pose proof (bpow_gt_0 radix2 (-52)); nra.
+  - assert (ulp radix2 exponent (pow (-52) * e)
+            <= Rabs (pow (-52) * e) * pow (1 - 53)) as U.
+    { apply ulp_FLT_le; auto with typeclass_instances.
+      rewrite Rabs_pos_eq by (pose proof (bpow_gt_0 radix2 (-52)); nra).
+      apply Rle_trans with (pow (-52) * pow (-960)).
+      - rewrite <- bpow_plus; apply bpow_le; unfold emin, prec; lia.
+      - apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Large]. }
+    rewrite Rabs_pos_eq in U by (pose proof (bpow_gt_0 radix2 (-52)); nra).
+    simpl (pow _) in U |- *; lra. }
+assert (hi (dd_mul_d x y) + lo (dd_mul_d x y) = hi p + rnd z) as ->.
+{ apply fast_two_sum_is_exact; try apply rnd_is_double; left.
+  change (fma (lo x) y (lo p)) with (rnd z).
+  pose proof (Rabs_triang (rnd z - z) z) as T1.
+  replace (rnd z - z + z) with (rnd z) in T1 by ring.
+  pose proof (Rabs_triang_inv (hi x * y) (hi p)) as T2.
+  rewrite Rabs_minus_sym in T2; fold e in T2.
+  simpl (pow _) in Last, Z, Rel; lra. }
+replace (hi p + rnd z - (hi x + lo x) * y) with (rnd z - z) by (unfold z; lra).
+exact Last.
+Qed.
