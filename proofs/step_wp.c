@@ -63,7 +63,6 @@
 int brink_potential_is_valid(const brink_potential *p);
 
 /*@ requires is_potential(p);
-  @ requires level < p->count;
   @ terminates \true;
   @ exits \false;
   @ assigns \nothing;
