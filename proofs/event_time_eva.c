@@ -68,7 +68,7 @@ static void parting(int b_sign, int c_sign)
 static void coming(void)
 {
     meeting m = {any(-1), any(1), Frama_C_double_interval(-LARGEST, LARGEST),
-                 0, 0, 1};
+                 0,       0,      1};
     double later = time_of_meeting(&m);
     //@ assert later: later >= 0;
 }
@@ -76,8 +76,8 @@ static void coming(void)
 /** The fast time of meeting, of any b and d, and w, which it does not ask. */
 static void meeting_fast(int b_sign)
 {
-    outline o = {any(1), any(b_sign),
-                 Frama_C_double_interval(-LARGEST, LARGEST), 0};
+    outline o = {any(1), any(b_sign), Frama_C_double_interval(-LARGEST, LARGEST),
+                 0};
     double t = meeting_time_fast(&o);
     //@ assert fast: t >= 0;
 }
