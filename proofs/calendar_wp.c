@@ -3,11 +3,11 @@
 // with: -wp-fct heap_put,heap_settle,list_add
 /**
  * The calendar's heap and lists, as compiled.  The index is kept: the slot at a
- * position of the heap has that position for its place, so no slot is there twice;
- * and none gets lost: whatever was in the heap is in it afterwards, with the slot
- * that was put in.  A slot that is put in a list is its first, and whoever was
- * first has it before itself.  Nothing outside the calendar's own arrays is read
- * or written, and every loop ends.
+ * position of the heap has that position for its place, so no slot is there
+ * twice; and none gets lost: whatever was in the heap is in it afterwards, with
+ * the slot that was put in.  A slot that is put in a list is its first, and
+ * whoever was first has it before itself.  Nothing outside the calendar's own
+ * arrays is read or written, and every loop ends.
  */
 #include "../sim/calendar.h"
 #include "libm_wp.h"
@@ -35,7 +35,7 @@
   @     is_calendar(c) && 0 <= hole < c->heap_count && 0 <= slot < c->slots &&
   @     is_indexed(c, hole) && !in_heap(c, hole, slot);
   @
-  @ // The hole has moved, no slot is lost, and the one to be put in is not in yet.
+  @ // The hole has moved, no slot is lost, the one to be put in is not in yet.
   @ predicate a_hole_moved{Old, New}(brink_calendar *c, integer before,
   @                                  integer hole, integer slot) =
   @     has_hole{New}(c, hole, slot) &&

@@ -3,8 +3,8 @@
 /**
  * No invalid operation, and so no NaN, where a time is made: for every input in a
  * box as large as the doors let through and more, by cases of sign, each time is
- * not negative; only where it is too large for a double is it +inf.  Eva raises an
- * alarm at any operation that might give NaN, 0 / 0 above all.
+ * not negative; only where it is too large for a double is it +inf.  Eva raises
+ * an alarm at any operation that might give NaN, 0 / 0 above all.
  */
 #include "libm_eva.h"
 

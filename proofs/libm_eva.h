@@ -2,9 +2,9 @@
 #ifndef BRINK_LIBM_EVA_H
 #define BRINK_LIBM_EVA_H
 /**
- * What Eva is told of <math.h> where Frama-C's own says nothing; trusted.  Each is
- * an interval that holds what the function gives, so Eva goes on with more than
- * can be.  Included before the source it is for.
+ * What Eva is told of <math.h> where Frama-C's own says nothing; trusted.  Each
+ * is an interval that holds what the function gives, so Eva goes on with more
+ * than can be.  Included before the source it is for.
  */
 #include "__fc_builtin.h"
 #include <float.h>

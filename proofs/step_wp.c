@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // with: -wp-fct brink_potential_is_valid,has_core,has_finite_step,is_level
 // with: -wp-fct brink_potential_levels,brink_potential_energy,brink_step_rise
-// with: -wp-fct brink_step_level_at,brink_step_next,brink_side_next,brink_cell_next
-// with: -wp-fct replay,replay_sides,replay_cells
+// with: -wp-fct brink_step_level_at,brink_step_next,brink_side_next
+// with: -wp-fct brink_cell_next,replay,replay_sides,replay_cells
 /**
  * The logical state machine, as compiled: every function of kernels/step.c ends,
  * reads and writes nothing it should not, and does what its contract here says.
  *
- * A level changes by one, by a capture or a release alone; what is refused changes
- * nothing.  The functions that replay a log are no part of brink: they say what
- * follows for a log of any length, that
+ * A level changes by one, by a capture or a release alone; what is refused
+ * changes nothing.  The functions that replay a log are no part of brink: they
+ * say what follows for a log of any length, that
  *
  *     level = start + captures - releases
  *

@@ -72,7 +72,8 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
 // Moves the hole at `position` to where `slot` belongs, and fills it.
 static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
-    /*@ loop invariant a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
+    /*@ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
       @ loop variant position; */
@@ -80,7 +81,8 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
         heap_put(c, position, c->heap[(position - 1) / 2]);
         position = (position - 1) / 2;
     }
-    /*@ loop invariant a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
+    /*@ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
       @ loop variant c->heap_count - position; */
