@@ -95,7 +95,6 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot);
 /*@ requires has_hole(c, position, slot);
   @ terminates \true;
   @ exits \false;
-  @ assigns c->heap[0 .. c->heap_count - 1], c->filed[0 .. c->slots - 1].place;
   @ ensures index: is_indexed(c, -1);
   @ ensures put_in: in_heap(c, -1, slot);
   @ ensures none_lost: \forall integer s; 0 <= s < c->slots &&

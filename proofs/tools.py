@@ -76,7 +76,7 @@ def wp(tree, build, file):
     status, said = run(
         ["env", f"WHY3CONFIG={provers}", "frama-c", "-wp", "-wp-rte", "-wp-cache", "none",
          "-wp-smoke-tests", "-wp-par", "1", "-wp-prover", "cvc5-nofp,z3",
-         "-wp-timeout", "30", "-wp-smoke-timeout", "1", "-wp-no-smoke-dead-code", "-warn-special-float", "none", portable(tree),
+         "-wp-timeout", "60", "-wp-smoke-timeout", "1", "-wp-no-smoke-dead-code", "-warn-special-float", "none", portable(tree),
          *options_of(file), file], build)
     goals = re.findall(r"Proved goals: +(\d+) / (\d+)", said)
     return status == 0 and bool(goals) and goals[-1][0] == goals[-1][1] != "0", said
