@@ -15,12 +15,10 @@ LONGEST = 900  # seconds, for one proof
 
 
 def options_of(file):
-    """The words after `with:` in the first lines of a file."""
-    for line in file.read_text().splitlines()[:12]:
-        said = re.search(r"with: (.*?)(\*\)|\*/)?$", line)
-        if said:
-            return shlex.split(said.group(1))
-    return []
+    """The words after every `with:` in the first lines of a file."""
+    head = "\n".join(file.read_text().splitlines()[:12])
+    said = re.findall(r"with: (.*?)(?:\*\)|\*/)?$", head, re.MULTILINE)
+    return shlex.split(" ".join(said))
 
 
 def run(arguments, folder):
@@ -65,13 +63,20 @@ def gappa(tree, build, file):
     return status == 0, said + more
 
 
+def portable(tree):
+    """What Frama-C's preprocessor is told: the kernels' branches without intrinsics."""
+    folders = f"-I{tree / 'kernels'} -I{tree / 'sim'}"
+    return f"-cpp-extra-args={folders} -U__SSE2__ -U__AVX__ -U__FMA__"
+
+
 def wp(tree, build, file):
     """Every goal of Frama-C's WP, run-time errors among them; frama-c itself succeeds with
     goals open, so its summary is read."""
     provers = pathlib.Path(__file__).parent / "why3.conf"
     status, said = run(
         ["env", f"WHY3CONFIG={provers}", "frama-c", "-wp", "-wp-rte", "-wp-cache", "none",
-         "-wp-smoke-tests", "-wp-par", "1", f"-cpp-extra-args=-I{tree / 'kernels'} -I{tree / 'sim'}",
+         "-wp-smoke-tests", "-wp-par", "1", "-wp-prover", "cvc5-nofp,z3",
+         "-wp-timeout", "60", "-wp-smoke-timeout", "1", "-wp-no-smoke-dead-code", "-warn-special-float", "none", portable(tree),
          *options_of(file), file], build)
     goals = re.findall(r"Proved goals: +(\d+) / (\d+)", said)
     return status == 0 and bool(goals) and goals[-1][0] == goals[-1][1] != "0", said
@@ -80,8 +85,8 @@ def wp(tree, build, file):
 def eva(tree, build, file):
     """No alarm from Frama-C's Eva, and every assertion valid."""
     status, said = run(
-        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none",
-         f"-cpp-extra-args=-I{tree / 'kernels'} -I{tree / 'sim'}", *options_of(file), file], build)
+        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none", portable(tree),
+         *options_of(file), file], build)
     whole = "0 alarms generated" in said and "100% of the logical properties" in said
     return status == 0 and whole, said
 
