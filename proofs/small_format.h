@@ -114,4 +114,21 @@ struct two_lanes {
     friend two_lanes operator*(two_lanes a, two_lanes b) { return {a[0] * b[0], a[1] * b[1]}; }
     friend two_lanes operator/(two_lanes a, two_lanes b) { return {a[0] / b[0], a[1] / b[1]}; }
 };
+
+// For the comparison with the library.
+static uint64_t next_random()
+{
+    static uint64_t state = 20260601; // splitmix64
+    uint64_t z = state += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+    return z ^ z >> 31;
+}
+
+static double random_double(int exponents)
+{
+    uint64_t z = next_random();
+    int e = (int)((z >> 52 & 0x7ff) % (unsigned)exponents) - exponents / 2;
+    return std::ldexp(of_bits((z & ~(UINT64_C(0x7ff) << 52)) | UINT64_C(0x3ff) << 52), e);
+}
 #endif
