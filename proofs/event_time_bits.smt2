@@ -18,7 +18,8 @@
 (define-fun is_radius ((b Bits)) Bool (bvult (bvlshr b (_ bv52 64)) (_ bv2047 64)))
 (push)
 (assert (not (= (is_radius x)
-  (and (not (fp.isNaN (number x))) (not (fp.isInfinite (number x))) (= ((_ extract 63 63) x) #b0)))))
+  (and (not (fp.isNaN (number x))) (not (fp.isInfinite (number x)))
+       (= ((_ extract 63 63) x) #b0)))))
 (check-sat)
 (pop)
 

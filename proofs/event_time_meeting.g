@@ -20,6 +20,7 @@ e = (root - b - S) / S;
   /\ -B in [1b-225, 1b225] /\ -bs in [1b-230, 1b225] /\ |(bs - B) / S| <= 1b-78 /\ w in [0, 0.5]
  -> |t -/ (C / S)| <= 8b-53 }
 (s - S)/S -> ((s - (root - b))/(root - b)) * (1 + e) + e { S <> 0, root - b <> 0 };
-e -> w * ((root - R)/R) - ((b - bs)/bs) * ((bs - B)/S - (1 - w)) - (bs - B)/S { S <> 0, R <> 0, bs <> 0 };
+e -> w * ((root - R)/R) - ((b - bs)/bs) * ((bs - B)/S - (1 - w)) - (bs - B)/S
+    { S <> 0, R <> 0, bs <> 0 };
 (root - R)/R -> ((root - sqrt(dr))/sqrt(dr)) * (1 + (sqrt(dr) - R)/R) + (sqrt(dr) - R)/R
     { R <> 0, sqrt(dr) <> 0 };

@@ -85,29 +85,6 @@ Proof.
 apply low_small; generalize (Rle_abs x) (Rle_abs (- x)); rewrite Rabs_Ropp; lra.
 Qed.
 
-(* overlap.c, brink_ball_overlap_sign: what the filter answers is the sign of r.r - sigma^2. *)
-Theorem ball_sign_filter x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
-  let rr := dot_plain x y z in let ss := rnd s in
-  rnd (4 * u * rnd (rr + ss)) < Rabs (rnd (rr - ss)) ->
-  (0 < rnd (rr - ss) -> 0 < x + y + z - s) /\ (rnd (rr - ss) < 0 -> x + y + z - s < 0).
-Proof.
-intros Hx Hy Hz Hs rr ss.
-assert (A := dot_plain_rel x y z Hx Hy Hz); fold rr in A.
-assert (B := low_small s s ltac:(lra)).
-assert (S : ss = s - low s) by apply rounded; clearbody rr ss.
-set (X := x + y + z) in *; assert (0 <= X) by (unfold X; lra); clearbody X.
-unfold u, tiny in A, B.
-assert (C := low_small (rr + ss) (g * (X + s)) ltac:(lra)); unfold u in C.
-rewrite (rounded (rr + ss)); set (l1 := low (rr + ss)) in *; clearbody l1.
-assert (D := low_small (4 * u * (rr + ss - l1)) (5 * u * (X + s)) ltac:(unfold u; lra)).
-rewrite (rounded (4 * u * (rr + ss - l1))).
-set (l2 := low (4 * u * (rr + ss - l1))) in *; clearbody l2; unfold u in D |- *.
-assert (E := low_own (rr - ss)); rewrite (rounded (rr - ss)).
-set (l3 := low (rr - ss)) in *; clearbody l3; unfold u in E.
-intro F; split; intro G; [rewrite Rabs_right in F by lra | rewrite Rabs_left in F by lra];
-  revert E; unfold Rabs; destruct Rcase_abs; intro E; lra.
-Qed.
-
 (* event_time_sums.h, dot_of: 7u^2 of the sum of the sizes, of what two_sum and two_prod leave. *)
 Definition dot_of x y z :=
   let s := rnd x + rnd y in let t := rnd s + rnd z in
@@ -221,8 +198,10 @@ assert (HB : Rabs B <= Rabs b + 103 * u * R).
   rewrite Rabs_Ropp; unfold u in *; lra. }
 assert (Rabs B * Rabs B <= (Rabs b + 103 * u * R) * (Rabs b + 103 * u * R)).
 { apply Rmult_le_compat; try apply Rabs_pos; assumption. }
-assert (E1 : Rabs B * Rabs B = B * B) by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr).
-assert (E2 : Rabs b * Rabs b = bb) by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr).
+assert (E1 : Rabs B * Rabs B = B * B)
+  by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr).
+assert (E2 : Rabs b * Rabs b = bb)
+  by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr).
 assert (E3 : Rabs b * R <= T) by (rewrite <- RR; apply Rmult_le_compat_r; lra).
 assert (E4 : (Rabs b + 103 * u * R) * (Rabs b + 103 * u * R) =
    bb + 206 * u * (Rabs b * R) + 10609 * u * u * T) by (rewrite <- E2, <- RR; ring).

@@ -11,7 +11,7 @@
 extern "C" int brink_ball_overlap_sign(const double[3], double);
 extern "C" int brink_ball_overlap_rate_sign(const double[3], const double[3]);
 
-#define double                            Small
+#define double Small
 #define brink_ball_overlap_sign           small_sign
 #define brink_ball_overlap_rate_sign      small_rate_sign
 #define brink_ball_overlap_sign_at        small_sign_at
@@ -28,10 +28,16 @@ extern "C" {
 
 // The exact signs: none is given here.
 static const int no_sign = 7;
-extern "C" int small_sign_at(const Small *, const Small *, Small, Small) { return no_sign; }
-extern "C" int small_rate_sign_at(const Small *, const Small *, Small) { return no_sign; }
-extern "C" int small_plane_sign_at(const Small *, const Small *, const Small *, const Small *,
-                                   Small)
+extern "C" int small_sign_at(const Small *, const Small *, Small, Small)
+{
+    return no_sign;
+}
+extern "C" int small_rate_sign_at(const Small *, const Small *, Small)
+{
+    return no_sign;
+}
+extern "C" int small_plane_sign_at(const Small *, const Small *, const Small *,
+                                   const Small *, Small)
 {
     return no_sign;
 }
@@ -49,7 +55,10 @@ static double constant(double c)
     std::exit(1);
 }
 
-static int sign_of_double(double x) { return (x > 0) - (x < 0); }
+static int sign_of_double(double x)
+{
+    return (x > 0) - (x < 0);
+}
 
 static bool is_the_library()
 {
@@ -64,11 +73,13 @@ static bool is_the_library()
         }
         if (i % 3 == 0)
             sigma = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-        int sign = small_sign(sr, Small::of(sigma)), rate = small_rate_sign(sr, sv);
+        int sign = small_sign(sr, Small::of(sigma)),
+            rate = small_rate_sign(sr, sv);
         if ((sign != no_sign && sign != brink_ball_overlap_sign(r, sigma)) ||
             (rate != no_sign && rate != brink_ball_overlap_rate_sign(r, v))) {
-            std::printf("not what the library has: r %a %a %a v %a %a %a sigma %a\n", r[0], r[1],
-                        r[2], v[0], v[1], v[2], sigma);
+            std::printf(
+                "not what the library has: r %a %a %a v %a %a %a sigma %a\n",
+                r[0], r[1], r[2], v[0], v[1], v[2], sigma);
             return false;
         }
     }
@@ -88,7 +99,9 @@ static bool is_right(int answer, double exact)
 static double number(int n, int lowest)
 {
     int ones = 1 << (places - 1);
-    return n == 0 ? 0 : std::ldexp((double)(ones + (n - 1) % ones), (n - 1) / ones + lowest);
+    return n == 0 ? 0
+                  : std::ldexp((double)(ones + (n - 1) % ones),
+                               (n - 1) / ones + lowest);
 }
 
 static bool sphere_holds(int p, int lengths)
@@ -100,17 +113,19 @@ static bool sphere_holds(int p, int lengths)
         for (int i = 0; i < all; i++)
             for (int j = 0; j <= i; j++)
                 for (int k = 0; k < last; k++) {
-                    double x = number(i, -3), y = number(j, -3), z = number(k, -3);
+                    double x = number(i, -3), y = number(j, -3),
+                           z = number(k, -3);
                     double sigma = number(s, 0);
                     Small r[3] = {Small::of(x), Small::of(y), Small::of(z)};
                     if (!is_right(small_sign(r, Small::of(sigma)),
                                   x * x + y * y + z * z - sigma * sigma)) {
-                        std::printf("wrong sign in %d bits: %a %a %a, %a\n", p, x, y, z, sigma);
+                        std::printf("wrong sign in %d bits: %a %a %a, %a\n", p, x,
+                                    y, z, sigma);
                         return false;
                     }
                 }
-    std::printf("sphere, %d lengths of %d bits: %ld inputs, left %.3f\n", lengths, p, inputs,
-                (double)left / (double)inputs);
+    std::printf("sphere, %d lengths of %d bits: %ld inputs, left %.3f\n", lengths,
+                p, inputs, (double)left / (double)inputs);
     return true;
 }
 
@@ -126,7 +141,8 @@ static bool rate_holds(int p, int n)
                 for (int d = -all + 1; d < all; d++)
                     for (int e = 1; e <= (n == 3 ? ones : 1); e++)
                         for (int f = -thirds + 1; f < thirds; f++) {
-                            double r[3] = {number(a, 0), number(b, 0), number(e, 0)};
+                            double r[3] = {number(a, 0), number(b, 0),
+                                           number(e, 0)};
                             double v[3] = {number(c, 0), number(std::abs(d), -2),
                                            number(std::abs(f), -2)};
                             v[1] = d < 0 ? -v[1] : v[1];
@@ -139,19 +155,20 @@ static bool rate_holds(int p, int n)
                                 exact += r[k] * v[k];
                             }
                             if (!is_right(small_rate_sign(x, y), exact)) {
-                                std::printf("wrong rate in %d bits: %a %a %a, %a %a %a\n", p,
-                                            r[0], r[1], r[2], v[0], v[1], v[2]);
+                                std::printf(
+                                    "wrong rate in %d bits: %a %a %a, %a %a %a\n",
+                                    p, r[0], r[1], r[2], v[0], v[1], v[2]);
                                 return false;
                             }
                         }
-    std::printf("rate, %d products of %d bits: %ld inputs, left %.3f\n", n, p, inputs,
-                (double)left / (double)inputs);
+    std::printf("rate, %d products of %d bits: %ld inputs, left %.3f\n", n, p,
+                inputs, (double)left / (double)inputs);
     return true;
 }
 
 int main()
 {
     return !(is_the_library() && sphere_holds(4, 3) && sphere_holds(5, 3) &&
-             sphere_holds(6, 2) && rate_holds(3, 3) && rate_holds(4, 3) && rate_holds(5, 2) &&
-             rate_holds(6, 2));
+             sphere_holds(6, 2) && rate_holds(3, 3) && rate_holds(4, 3) &&
+             rate_holds(5, 2) && rate_holds(6, 2));
 }

@@ -9,9 +9,10 @@
 #include "small_format.h"
 
 extern "C" int brink_quadratic_roots(double, double, double, double *, double *);
-extern "C" int brink_quadratic_roots_cr(double, double, double, double *, double *);
+extern "C" int brink_quadratic_roots_cr(double, double, double, double *,
+                                        double *);
 
-#define double                   Small
+#define double Small
 #define brink_quadratic_roots    small_roots
 #define brink_quadratic_roots_cr small_roots_cr
 #define BRINK_LANES_H
@@ -56,7 +57,8 @@ typedef int roots_of_small(Small, Small, Small, Small *, Small *);
 typedef int roots_of_library(double, double, double, double *, double *);
 
 /** The one count, and the same bits. */
-static bool agree(roots_of_small *small, roots_of_library *library, double a, double b, double c)
+static bool agree(roots_of_small *small, roots_of_library *library, double a,
+                  double b, double c)
 {
     Small s[2] = {7, 7};
     double d[2] = {7, 7};
@@ -73,7 +75,8 @@ static bool is_the_library()
     for (int i = 0; i < 1000000; i++) {
         int exponents = i % 3 == 0 ? 2000 : i % 3 == 1 ? 4 : 60;
         double a = random_double(exponents), b = random_double(exponents);
-        double c = i % 5 == 0 ? std::nextafter(b * b / (4 * a), 0) : random_double(exponents);
+        double c = i % 5 == 0 ? std::nextafter(b * b / (4 * a), 0)
+                              : random_double(exponents);
         if (!agree(small_roots, brink_quadratic_roots, a, b, c) ||
             !agree(small_roots_cr, brink_quadratic_roots_cr, a, b, c))
             return false;
@@ -89,9 +92,11 @@ static double nearest(long double x)
         return 0;
     int e;
     std::frexp(x, &e);
-    long double unit = std::ldexp(1.0L, e - places - 1), twice = std::nearbyint(x / unit);
+    long double unit = std::ldexp(1.0L, e - places - 1),
+                twice = std::nearbyint(x / unit);
     if (std::fabs(x / unit - twice) > 0x1p-40L)
-        return to_places((double)(unit * (twice + (x / unit > twice ? 0.25L : -0.25L))));
+        return to_places(
+            (double)(unit * (twice + (x / unit > twice ? 0.25L : -0.25L))));
     return to_places((double)(unit * twice));
 }
 
@@ -99,15 +104,17 @@ static double ulps(long double exact, double x)
 {
     int e;
     std::frexp(exact, &e);
-    return exact == 0 ? (x == 0 ? 0 : 1e9)
-                      : (double)(std::fabs(x - exact) / std::ldexp(1.0L, e - places));
+    return exact == 0
+               ? (x == 0 ? 0 : 1e9)
+               : (double)(std::fabs(x - exact) / std::ldexp(1.0L, e - places));
 }
 
 static long inputs, told;
 static double worst;
 
 /** The roots in order, of an exact discriminant that is not negative. */
-static void true_roots(double a, double b, double c, long double d, long double root[2])
+static void true_roots(double a, double b, double c, long double d,
+                       long double root[2])
 {
     long double s = -(b + std::copysign(std::sqrt(d), (long double)b)) / 2;
     long double x = s / a, y = s == 0 ? 0 : c / s;
@@ -120,20 +127,24 @@ static bool is_right(double a, double b, double c)
     // Exact in 64 bits: 6 places + 14 hold the bits of both.
     long double d = (long double)b * b - 4.0L * a * c, root[2];
     Small x[2] = {0, 0}, y[2] = {0, 0};
-    int count = small_roots(Small::of(a), Small::of(b), Small::of(c), &x[0], &x[1]);
-    int count_cr = small_roots_cr(Small::of(a), Small::of(b), Small::of(c), &y[0], &y[1]);
+    int count =
+        small_roots(Small::of(a), Small::of(b), Small::of(c), &x[0], &x[1]);
+    int count_cr =
+        small_roots_cr(Small::of(a), Small::of(b), Small::of(c), &y[0], &y[1]);
     inputs++;
     if (count != count_cr || count != (d < 0 ? 0 : 2))
         return false;
     if (count == 0)
         return true;
     true_roots(a, b, c, d, root);
-    worst = std::fmax(worst, std::fmax(ulps(root[0], x[0].x), ulps(root[1], x[1].x)));
+    worst =
+        std::fmax(worst, std::fmax(ulps(root[0], x[0].x), ulps(root[1], x[1].x)));
     // Exact numbers round to 53 bits, here as there: what has more than `places` came from them.
     bool is_told = to_places(y[0].x) == y[0].x && to_places(y[1].x) == y[1].x;
     told += is_told;
     return worst <= BRINK_QUADRATIC_ULP &&
-           (places < 6 || !is_told || (y[0].x == nearest(root[0]) && y[1].x == nearest(root[1])));
+           (places < 6 || !is_told ||
+            (y[0].x == nearest(root[0]) && y[1].x == nearest(root[1])));
 }
 
 static bool holds_of_every_input(int p)
@@ -144,20 +155,22 @@ static bool holds_of_every_input(int p)
     int ones = 1 << (p - 1), far = p + 3;
     for (int i = ones; i < 2 * ones; i++)
         for (int k = -4 * ones; k <= 4 * ones; k++) {
-            if (std::abs(k) >= 2 * ones ? k % 2 != 0 : std::abs(k) < ones && k != 0)
+            if (std::abs(k) >= 2 * ones ? k % 2 != 0
+                                        : std::abs(k) < ones && k != 0)
                 continue;
             for (int j = -1; j < (far + p + 5) * ones; j++) {
                 double a = (double)i / ones, c = (double)k / ones;
                 double b = j < 0 ? 0
-                                 : std::ldexp((double)(ones + j % ones) / ones, j / ones - far);
+                                 : std::ldexp((double)(ones + j % ones) / ones,
+                                              j / ones - far);
                 if (!is_right(a, b, c) || !is_right(a, -b, c)) {
                     std::printf("wrong in %d bits: %a %a %a\n", p, a, b, c);
                     return false;
                 }
             }
         }
-    std::printf("%d bits: %ld inputs, worst root %.3f ulp, told %.3f of them\n", p, inputs, worst,
-                (double)told / (double)inputs);
+    std::printf("%d bits: %ld inputs, worst root %.3f ulp, told %.3f of them\n",
+                p, inputs, worst, (double)told / (double)inputs);
     return true;
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #ifndef SMALL_FORMAT_H
 #define SMALL_FORMAT_H
-// The kernels' own sources, in numbers of PLACES bits: a file of kernels/ that is included after
-// `#define double Small` is what the library is compiled from, but for three things, which are
-// here and are trusted: this class, the two lanes side by side written as two numbers, and
-// constants(), the constants that depend on the precision.  With 53 places all of it must answer
-// what the library does, bit for bit: each program shows that first, on random inputs.
+// The kernels' own sources, in numbers of `places` bits.  A file of kernels/ that is
+// included after `#define double Small` is what the library is compiled from, but for
+// what stands in its place and is trusted: this class, two lanes written as two
+// numbers, and constant(), the constants that go with the precision.  In 53 bits all
+// of it must answer what the library does, bit for bit: each program shows that
+// first, on a million random inputs.
 //
-// Exponents are those of double, so nothing over- or underflows.  A sum, product, quotient or
-// root of numbers of p places, 2 p + 2 <= 53, rounded to double and then to p places is rounded
-// once (Figueroa); fma rounds to odd in between.
+// Exponents are those of double: nothing over- or underflows.  A sum, product,
+// quotient or root of numbers of p bits, 2 p + 2 <= 53, rounded to double and then to
+// p bits is rounded as if once (Figueroa); fma is rounded to odd in between.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -67,52 +68,142 @@ static double fused(double x, double y, double z)
 /** What a constant of the source is in so few places: of the program that includes this. */
 static double constant(double in_source);
 
-class Small {
+class Small
+{
   public:
     double x;
     Small() = default;
-    Small(double c) : x(places == 53 ? c : constant(c)) {}
+    Small(double c) : x(places == 53 ? c : constant(c))
+    {
+    }
     static Small of(double rounded)
     {
         Small s;
         s.x = rounded;
         return s;
     }
-    friend Small operator+(Small a, Small b) { return of(to_places(a.x + b.x)); }
-    friend Small operator-(Small a, Small b) { return of(to_places(a.x - b.x)); }
-    friend Small operator*(Small a, Small b) { return of(to_places(a.x * b.x)); }
-    friend Small operator/(Small a, Small b) { return of(to_places(a.x / b.x)); }
-    Small operator-() const { return of(-x); }
-    Small &operator+=(Small b) { return *this = *this + b; }
-    Small &operator-=(Small b) { return *this = *this - b; }
-    Small &operator*=(Small b) { return *this = *this * b; }
-    friend bool operator<(Small a, Small b) { return a.x < b.x; }
-    friend bool operator>(Small a, Small b) { return a.x > b.x; }
-    friend bool operator<=(Small a, Small b) { return a.x <= b.x; }
-    friend bool operator>=(Small a, Small b) { return a.x >= b.x; }
-    friend bool operator==(Small a, Small b) { return a.x == b.x; }
-    friend bool operator!=(Small a, Small b) { return a.x != b.x; }
+    friend Small operator+(Small a, Small b)
+    {
+        return of(to_places(a.x + b.x));
+    }
+    friend Small operator-(Small a, Small b)
+    {
+        return of(to_places(a.x - b.x));
+    }
+    friend Small operator*(Small a, Small b)
+    {
+        return of(to_places(a.x * b.x));
+    }
+    friend Small operator/(Small a, Small b)
+    {
+        return of(to_places(a.x / b.x));
+    }
+    Small operator-() const
+    {
+        return of(-x);
+    }
+    Small &operator+=(Small b)
+    {
+        return *this = *this + b;
+    }
+    Small &operator-=(Small b)
+    {
+        return *this = *this - b;
+    }
+    Small &operator*=(Small b)
+    {
+        return *this = *this * b;
+    }
+    friend bool operator<(Small a, Small b)
+    {
+        return a.x < b.x;
+    }
+    friend bool operator>(Small a, Small b)
+    {
+        return a.x > b.x;
+    }
+    friend bool operator<=(Small a, Small b)
+    {
+        return a.x <= b.x;
+    }
+    friend bool operator>=(Small a, Small b)
+    {
+        return a.x >= b.x;
+    }
+    friend bool operator==(Small a, Small b)
+    {
+        return a.x == b.x;
+    }
+    friend bool operator!=(Small a, Small b)
+    {
+        return a.x != b.x;
+    }
 };
 
-static inline Small sqrt(Small a) { return Small::of(to_places(std::sqrt(a.x))); }
-static inline Small fabs(Small a) { return Small::of(std::fabs(a.x)); }
-static inline Small fma(Small a, Small b, Small c) { return Small::of(fused(a.x, b.x, c.x)); }
-static inline Small fmin(Small a, Small b) { return Small::of(std::fmin(a.x, b.x)); }
-static inline Small copysign(Small a, Small b) { return Small::of(std::copysign(a.x, b.x)); }
-static inline Small ldexp(Small a, int e) { return Small::of(std::ldexp(a.x, e)); }
-static inline bool isfinite(Small a) { return std::isfinite(a.x); }
-static inline bool signbit(Small a) { return std::signbit(a.x); }
+static inline Small sqrt(Small a)
+{
+    return Small::of(to_places(std::sqrt(a.x)));
+}
+static inline Small fabs(Small a)
+{
+    return Small::of(std::fabs(a.x));
+}
+static inline Small fma(Small a, Small b, Small c)
+{
+    return Small::of(fused(a.x, b.x, c.x));
+}
+static inline Small fmin(Small a, Small b)
+{
+    return Small::of(std::fmin(a.x, b.x));
+}
+static inline Small copysign(Small a, Small b)
+{
+    return Small::of(std::copysign(a.x, b.x));
+}
+static inline Small ldexp(Small a, int e)
+{
+    return Small::of(std::ldexp(a.x, e));
+}
+static inline bool isfinite(Small a)
+{
+    return std::isfinite(a.x);
+}
+static inline bool signbit(Small a)
+{
+    return std::signbit(a.x);
+}
 
 /** Stands for the vector of lanes.h. */
 struct two_lanes {
     Small lane[2];
-    Small operator[](int i) const { return lane[i]; }
-    Small &operator[](int i) { return lane[i]; }
-    two_lanes operator-() const { return {-lane[0], -lane[1]}; }
-    friend two_lanes operator+(two_lanes a, two_lanes b) { return {a[0] + b[0], a[1] + b[1]}; }
-    friend two_lanes operator-(two_lanes a, two_lanes b) { return {a[0] - b[0], a[1] - b[1]}; }
-    friend two_lanes operator*(two_lanes a, two_lanes b) { return {a[0] * b[0], a[1] * b[1]}; }
-    friend two_lanes operator/(two_lanes a, two_lanes b) { return {a[0] / b[0], a[1] / b[1]}; }
+    Small operator[](int i) const
+    {
+        return lane[i];
+    }
+    Small &operator[](int i)
+    {
+        return lane[i];
+    }
+    two_lanes operator-() const
+    {
+        return {-lane[0], -lane[1]};
+    }
+    friend two_lanes operator+(two_lanes a, two_lanes b)
+    {
+        return {a[0] + b[0], a[1] + b[1]};
+    }
+    friend two_lanes operator-(two_lanes a, two_lanes b)
+    {
+        return {a[0] - b[0], a[1] - b[1]};
+    }
+    friend two_lanes operator*(two_lanes a, two_lanes b)
+    {
+        return {a[0] * b[0], a[1] * b[1]};
+    }
+    friend two_lanes operator/(two_lanes a, two_lanes b)
+    {
+        return {a[0] / b[0], a[1] / b[1]};
+    }
 };
 
 // For the comparison with the library.
@@ -129,6 +220,7 @@ static double random_double(int exponents)
 {
     uint64_t z = next_random();
     int e = (int)((z >> 52 & 0x7ff) % (unsigned)exponents) - exponents / 2;
-    return std::ldexp(of_bits((z & ~(UINT64_C(0x7ff) << 52)) | UINT64_C(0x3ff) << 52), e);
+    return std::ldexp(
+        of_bits((z & ~(UINT64_C(0x7ff) << 52)) | UINT64_C(0x3ff) << 52), e);
 }
 #endif

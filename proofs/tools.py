@@ -49,7 +49,7 @@ def coq(tree, build, file):
     return bool(theorems) and rests_on <= AXIOMS, said
 
 
-# A rewriting that a Gappa script asks for is a hypothesis of its certificate: here each is proved.
+# A rewriting that a Gappa script asks for is a hypothesis of its certificate: these prove it.
 HINTS = """Require Import Reals Lra Gappa.Gappa_library.
 (* What holds of the square root of a variable that is not 0: it is positive, and its square. *)
 Ltac root x := match goal with H : sqrt x <> 0%R |- _ =>
@@ -118,14 +118,15 @@ def small(tree, build, file):
     library (`with:`), which it must agree with at 53 bits.  Status 0: all hold."""
     program = build / file.stem
     common = ["-O2", "-ffp-contract=off", f"-I{tree / 'kernels'}", f"-I{tree / 'proofs'}"]
-    said = ""
     objects = []
     for source in options_of(file):
         objects.append(build / f"{pathlib.Path(source).stem}.o")
-        status, said = run(["gcc", "-std=c17", *common, "-c", tree / source, "-o", objects[-1]], build)
+        status, said = run(["gcc", "-std=c17", *common, "-c", tree / source, "-o", objects[-1]],
+                           build)
         if status:
             return False, said
-    status, said = run(["g++", "-std=gnu++20", "-Wno-class-memaccess", *common, file, *objects, "-o", program], build)
+    status, said = run(["g++", "-std=gnu++20", "-Wno-class-memaccess", *common, file, *objects,
+                        "-o", program], build)
     if status:
         return False, said
     status, more = run([program], build)
