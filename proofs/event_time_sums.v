@@ -243,3 +243,37 @@ round_off (l1 + l2 - m1 + (l3 - l4 - m2) - m4 + (l5 + l6 - m3))
   (/ 9007199254740992 * (g * g * (3 * (x + y) + 2 * z + s))) m5.
 bound.
 Qed.
+
+(* event_time_parting.h, near_sums_of: before it is rounded to one double, c is off by 7u^2 R
+   where |c| < R / 3. *)
+Definition near_c x y z s :=
+  let a := rnd x + rnd y in let t := rnd a + rnd z in
+  let rest := rnd (rnd (rnd (low x + low y) + low z) + rnd (low a + low t)) in
+  rnd (rnd t - rnd s) + rnd (rest - low s).
+
+Theorem near_c_error x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
+  let R := x + y + z + s in 3 * Rabs (x + y + z - s) <= (1 - / 1000000) * R ->
+  Rabs (near_c x y z s - (x + y + z - s)) <= 7 * tiny * u * u * R.
+Proof.
+intros Hx Hy Hz Hs R N; unfold R in *; clear R; unfold near_c, tiny, u.
+assert (NN : x + y + z <= 2 * s * (9999999 / 10000000) /\
+             s <= 2 * (x + y + z) * (9999999 / 10000000))
+  by (revert N; unfold Rabs; destruct Rcase_abs; lra); clear N.
+assert (W : low (rnd (rnd (rnd x + rnd y) + rnd z) - rnd s) = 0).
+{ apply exact_difference; try (apply generic_format_round; typeclasses eauto).
+  round_off x x l1; round_off y y l2; round_off z z l3; round_off s s l4.
+  round_off (x - l1 + (y - l2)) (g * (x + y)) l5.
+  round_off (x - l1 + (y - l2) - l5 + (z - l3)) (g * (x + y + z)) l6; lra. }
+rewrite (rounded (rnd (rnd (rnd x + rnd y) + rnd z) - rnd s)), W; clear W.
+round_off x x l1; round_off y y l2; round_off z z l3; round_off s s l4.
+round_off (x - l1 + (y - l2)) (g * (x + y)) l5.
+round_off (x - l1 + (y - l2) - l5 + (z - l3)) (g * (x + y + z)) l6.
+round_off (l1 + l2) (/ 9007199254740992 * (x + y)) m1.
+round_off (l1 + l2 - m1 + l3) (/ 9007199254740992 * (g * (x + y + z))) m2.
+round_off (l5 + l6) (/ 9007199254740992 * (g * (2 * (x + y) + z))) m3.
+round_off (l1 + l2 - m1 + l3 - m2 + (l5 + l6 - m3))
+  (/ 9007199254740992 * (g * g * (3 * (x + y) + 2 * z))) m4.
+round_off (l1 + l2 - m1 + l3 - m2 + (l5 + l6 - m3) - m4 - l4)
+  (/ 9007199254740992 * (g * g * g * (3 * (x + y) + 2 * z + s))) m5.
+bound.
+Qed.
