@@ -2,15 +2,15 @@
 #ifndef SMALL_FORMAT_H
 #define SMALL_FORMAT_H
 // The kernels' own sources, in numbers of `places` bits.  A file of kernels/ that
-// is included after `#define double Small` is what the library is compiled from,
+// is included after `#define double Small` is what the library is made from,
 // but for what stands in its place and is trusted: this class, two lanes written
-// as two numbers, and constant(), the constants that go with the precision.  In 53
-// bits all of it must answer what the library does, bit for bit: each program
+// as two numbers, and constant(), the constants that go with precision.  In 53
+// bits all must answer what the library does, bit for bit: each program
 // shows that first, on a million random inputs.
 //
 // Exponents are those of double: nothing over- or underflows.  A sum, product,
-// quotient or root of numbers of p bits, 2 p + 2 <= 53, rounded to double and then
-// to p bits is rounded as if once (Figueroa); fma is rounded to odd in between.
+// quotient or root of numbers of p bits, 2 p + 2 <= 53, rounded to double and
+// then to p bits is rounded as if once (Figueroa); fma is rounded to odd in between.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
