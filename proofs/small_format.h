@@ -10,7 +10,7 @@
 //
 // Exponents are those of double: nothing over- or underflows.  A sum, product,
 // quotient or root of numbers of p bits, 2 p + 2 <= 53, rounded to double and
-// then to p bits is rounded as if once (Figueroa); fma is rounded to odd in between.
+// then to p bits is rounded as if once (Figueroa); fma goes by way of odd.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
