@@ -42,15 +42,15 @@
 (check-sat)
 (pop)
 
-; twice_ahead(b) is 0 or -2 b, exactly: doubling is a step of the exponent (or of a subnormal's
+; twice_below(b) is 0 or -2 b, exactly: doubling is a step of the exponent (or of a subnormal's
 ; bits); where 2 b is infinite so is it, and of no number it makes none.
 (define-fun b () Double (number x))
-(define-fun twice_ahead () Double (fp.sub RNE (fp.abs b) b))
+(define-fun twice_below () Double (fp.sub RNE (fp.abs b) b))
 (push)
 (assert (not (fp.isInfinite b)))
-(assert (not (ite (fp.isNaN b) (fp.isNaN twice_ahead)
-  (ite (fp.isNegative b) (fp.eq twice_ahead (fp.mul RNE (fp.neg b) (power (_ bv1024 11))))
-                         (= twice_ahead zero)))))
+(assert (not (ite (fp.isNaN b) (fp.isNaN twice_below)
+  (ite (fp.isNegative b) (fp.eq twice_below (fp.mul RNE (fp.neg b) (power (_ bv1024 11))))
+                         (= twice_below zero)))))
 (check-sat)
 (pop)
 
