@@ -23,6 +23,9 @@ static void expect_going(const witness *w, enum brink_run_status status)
     if (status == BRINK_RUN_REACHED || status == BRINK_RUN_AT_REST ||
         status == BRINK_RUN_QUIET)
         return;
+    const brink_happening *last = &w->run->last;
+    if (status == BRINK_RUN_STUCK && witness_is_hidden(w, last->i, last->j))
+        return;
     brink_run_diagnosis(w->run, status, why, sizeof why);
     witness_break(w, "%s", why);
 }
@@ -51,7 +54,7 @@ static int go_on(brink_run *run, witness *w)
     if (more > 1)
         witness_break(w, "one event was asked for, and there were more");
     witness_look(w, more == 1);
-    return status != BRINK_RUN_AT_REST;
+    return status != BRINK_RUN_AT_REST && status != BRINK_RUN_STUCK;
 }
 
 // --- Saved and loaded ----------------------------------------------------------

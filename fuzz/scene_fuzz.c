@@ -403,7 +403,7 @@ static void make(writer *w, stream *s)
     w->fault = (enum fault)stream_int(s, 0, FAULTS - 1);
     w->seed = (uint32_t)stream_word(s, 4);
     w->dimensions = stream_int(s, 2, 3);
-    w->count = (uint32_t)stream_int(s, 1, 8);
+    w->count = (uint32_t)stream_int(s, 2, 8);
     w->mass = fabs(stream_scaled(s, -40, 40));
     w->temperature = fabs(stream_scaled(s, -40, 40));
     w->energy = stream_scaled(s, -20, 20);

@@ -41,6 +41,11 @@ void witness_end(witness *w);
 /** After one event, or after a time without one. */
 void witness_look(witness *w, int event);
 
+/** Whether the two move together so fast, 2^24 times their relative speed, that
+ *  roundings hide what turns them away from each other: then a run may be held
+ *  up, and says so. */
+int witness_is_hidden(const witness *w, uint32_t i, uint32_t j);
+
 /** Says that a law is broken, and by which system. */
 _Noreturn void witness_break(const witness *w, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -17,7 +17,8 @@ typedef struct brink_meeting {
 /** The rim rule seen from outside.  A pair that all but slides along a core or a
  * shoulder is turned by less than its velocities are rounded to, or than a tier
  * can tell from going in, 3 2^-53 of the sum: it would come again at this
- * instant, for ever. */
+ * instant, for ever.  (Two that move together 2^24 times as fast as apart are not
+ * helped: that angle is no more than a rounding, and such a run stops.) */
 static inline int brink_meeting_turns_away(const double r[3], double m1,
                                            double m2, double v1[3], double v2[3],
                                            double *owed)
