@@ -8,8 +8,8 @@
  * A target makes a case of the bytes it is given, by stream_of_bytes of
  * tests/random.h: a byte or two a choice, so that the first picks a family of
  * adversarial cases and every other one moves a single thing.  Where the bytes
- * end, the choices go on from a fixed seed: any file, an empty one too, is a whole
- * case.
+ * end, the choices go on from a fixed seed: any file, an empty one too, is a
+ * whole case.
  */
 #include "../tests/random.h"
 #include <stdio.h>

@@ -27,7 +27,7 @@ static void compare(const brink_lists *l, const plain *model)
         LAW(l->list[i].room / 2 <= m->count + 24 / l->size,
             "lists: room for %u items, where there are %u", l->list[i].room,
             m->count);
-        for (uint32_t k = 0; k < m->count; k++)
+        for (uint32_t k = 0; items && k < m->count; k++)
             LAW(memcmp(items + (size_t)k * l->size, m->item[k], l->size) == 0,
                 "lists: item %u of list %u is another", k, i);
     }

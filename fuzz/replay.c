@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A target without a fuzzer: replays what one has found, or throws dice.
-#define _POSIX_C_SOURCE 200809L
 #include "fuzz.h"
 #include <dirent.h>
 #include <errno.h>
+#include <inttypes.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum { LONGEST = 1 << 20, LONGEST_DICE = 512 };
 
@@ -60,21 +61,20 @@ static int replay(const char *path)
     return files;
 }
 
-static uint64_t thrown; // the seed of the case that is being tried
+static char again[60]; // how to have the case again that is being tried
 
-/** How to have it again. */
-static void say_seed(int signal)
+static void say_again(int signal)
 {
-    (void)signal; // the finding's own abort, so that this may print
-    fprintf(stderr, "  --dice 1 %llu\n", (unsigned long long)thrown);
+    (void)signal;
+    (void)!write(STDERR_FILENO, again, strlen(again));
 }
 
 static void throw_dice(uint64_t count, uint64_t seed)
 {
     unsigned char bytes[LONGEST_DICE];
     for (uint64_t k = 0; k < count; k++) {
-        thrown = seed + k;
-        stream s = stream_of_seed(thrown);
+        snprintf(again, sizeof again, "  --dice 1 %" PRIu64 "\n", seed + k);
+        stream s = stream_of_seed(seed + k);
         const int size = stream_int(&s, 0, LONGEST_DICE);
         for (int i = 0; i < size; i++)
             bytes[i] = (unsigned char)stream_bits(&s);
@@ -89,7 +89,7 @@ int main(int argc, char **argv)
     if (strcmp(argv[1], "--dice") == 0) {
         if (argc < 3 || argc > 4)
             usage(argv[0]);
-        signal(SIGABRT, say_seed);
+        signal(SIGABRT, say_again);
         throw_dice(strtoull(argv[2], NULL, 10),
                    argc == 4 ? strtoull(argv[3], NULL, 10) : 1);
         puts("no finding");

@@ -118,15 +118,15 @@ static int step_to(const well *w, int level, int event)
 static void check_log(const well *w, stream *s)
 {
     const int start = stream_int(s, 0, deepest(w));
-    int level = start, counted = start;
+    int state = start, counted = start;
     for (int n = stream_int(s, 0, MOST_EVENTS); n > 0; n--) {
-        const int event = stream_int(s, -1, 4), before = level;
-        const int legal = next_of(w, level, event) >= 0;
-        level = step_to(w, level, event);
+        const int event = stream_int(s, -1, 4), from = state;
+        const int legal = next_of(w, state, event) >= 0;
+        state = step_to(w, state, event);
         counted +=
             legal ? (event == BRINK_CAPTURE) - (event == BRINK_RELEASE) : 0;
-        if (level != counted || level < 0 || level > deepest(w))
-            broken(w, "the log", before, event, level);
+        if (state != counted || state < 0 || state > deepest(w))
+            broken(w, "the log", from, event, state);
     }
 }
 
@@ -234,7 +234,7 @@ static void check_nothing(const well *w)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     stream s = stream_of_bytes(data, size);
-    well w;
+    well w = {0};
     make_well(&w, &s);
     const int valid = brink_potential_is_valid(&w.p);
     if (valid != is_valid(&w))

@@ -161,7 +161,8 @@ static void extremes(const long double r[3], const long double v[3],
     *most = sqrtl(fmaxl(end[0], end[1]));
 }
 
-/** Which images, -1, 0, 1 lengths along an axis, come within `reach`; how many. */
+/** Which images, -1, 0, 1 lengths along an axis, come within `reach`; how many.
+ */
 static int images_in_reach(long double x, long double v, long double h,
                            double length, double reach, long double at[3])
 {
@@ -187,10 +188,9 @@ static void look_at_path(const witness *w, uint32_t i, uint32_t j,
     const double off = contact_bound(w), reach = p->distance[0] + off;
     const double inner = level < p->count ? p->distance[level] - off : -1;
     const double outer = level > 0 ? p->distance[level - 1] + off : reach;
-    long double at[3][3];
+    long double at[3][3] = {{0}}; // of a plane 0 is all there is
     int n[3] = {1, 1, 1}, inside = 0, right = level == 0;
-    at[2][0] = 0; // of a plane
-    for (int a = 0; a < s->dimensions; a++)
+    for (int a = 0; a < (s->dimensions == 3 ? 3 : 2); a++)
         n[a] = images_in_reach(r[a], v[a], h, s->length[a], reach, at[a]);
     for (int k = 0; k < n[0] * n[1] * n[2]; k++) {
         const long double image[3] = {at[0][k % n[0]], at[1][k / n[0] % n[1]],
@@ -228,7 +228,7 @@ static void look_at_flight(const witness *w, uint32_t i, uint32_t j,
             part = fminl(part, s->length[a] / 4 / fabsl(v[a]));
     }
     for (int n = 0; n < PARTS && left >= 0; n++, left -= part) {
-        for (int a = 0; a < s->dimensions; a++)
+        for (int a = 0; a < (s->dimensions == 3 ? 3 : 2); a++)
             x[a] -= s->length[a] * rintl(x[a] / s->length[a]);
         look_at_path(w, i, j, x, v, fminl(part, left));
         for (int a = 0; a < 3; a++)

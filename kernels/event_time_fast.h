@@ -71,7 +71,7 @@ BRINK_INLINE double meeting_time_fast(const outline *o)
  *  vectors. */
 BRINK_INLINE double root_of_chord(double d)
 {
-    return sqrt(0.5 * (d + fabs(d)));
+    return sqrt(0.5 * twice_below(-d));
 }
 
 /** Of a pair that is in range. */

@@ -27,7 +27,7 @@ BRINK_INLINE double choose(int first, double x, double y)
  *  (root + b); 0 where that is past.  a is not 0. */
 BRINK_INLINE double later_root(double a, double b, double c, double root)
 {
-    double sum = root + fabs(b), depth = 0.5 * (fabs(c) - c); // max(0, -c)
+    double sum = root + fabs(b), depth = 0.5 * twice_below(c);
     return choose(b > 0, depth, sum) / choose(b > 0, sum, a);
 }
 
@@ -36,7 +36,7 @@ BRINK_INLINE double later_root(double a, double b, double c, double root)
 /** The moment of closest approach, max(0, -b / a). */
 BRINK_INLINE double passing_time(double a, double b)
 {
-    return 0.5 * twice_ahead(b) / a;
+    return 0.5 * twice_below(b) / a;
 }
 
 /** x.y, error <= 2u |x.y| + 8u^2 sum |x_i y_i|: as dot_of, without what the last

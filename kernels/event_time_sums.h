@@ -65,10 +65,10 @@ BRINK_INLINE int is_far(double rr, double ss)
     return rr > (1 + 0x1p-10) * ss;
 }
 
-/** 2 max(0, -b), exactly. */
-BRINK_INLINE double twice_ahead(double b)
+/** 2 max(0, -x), exactly. */
+BRINK_INLINE double twice_below(double x)
 {
-    return fabs(b) - b;
+    return fabs(x) - x;
 }
 
 /**
@@ -79,7 +79,7 @@ BRINK_INLINE double twice_ahead(double b)
  */
 BRINK_INLINE int passes(double a, double b, double c)
 {
-    double twice = twice_ahead(b);
+    double twice = twice_below(b);
     return (4 - 0x1p-36) * (a * c) > twice * twice;
 }
 

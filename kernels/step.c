@@ -8,6 +8,14 @@ int brink_potential_is_valid(const brink_potential *p)
 {
     if (p == NULL || p->count < 1 || p->distance == NULL || p->energy == NULL)
         return 0;
+    /*@ loop invariant 0 <= k <= p->count;
+      @ loop invariant distances: \forall integer i; 0 <= i < k ==>
+      @     \is_finite(p->distance[i]) && p->distance[i] > 0;
+      @ loop invariant energies: \forall integer i; 0 <= i < k ==>
+      @     \is_finite(p->energy[i]) ||
+      @     (i == p->count - 1 && \is_plus_infinity(p->energy[i]));
+      @ loop assigns k;
+      @ loop variant p->count - k; */
     for (int k = 0; k < p->count; k++) {
         int last = k == p->count - 1;
         if (!isfinite(p->distance[k]) || p->distance[k] <= 0)
@@ -61,6 +69,11 @@ double brink_step_rise(const brink_potential *p, int level,
 int brink_step_level_at(const brink_potential *p, const double r[3])
 {
     int level = 0;
+    /*@ loop invariant 0 <= level <= p->count;
+      @ loop invariant inside: \forall integer k; 0 <= k < level ==>
+      @     overlap_sign(r, p->distance[k]) < 0;
+      @ loop assigns level;
+      @ loop variant p->count - level; */
     while (level < p->count && brink_ball_overlap_sign(r, p->distance[level]) < 0)
         level++;
     return level;

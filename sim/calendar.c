@@ -72,10 +72,20 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
 // Moves the hole at `position` to where `slot` belongs, and fills it.
 static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
+    /*@ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
+      @ loop assigns position, c->heap[0 .. c->heap_count - 1],
+      @     c->filed[0 .. c->slots - 1].place;
+      @ loop variant position; */
     while (position > 0 && earlier(c, slot, c->heap[(position - 1) / 2])) {
         heap_put(c, position, c->heap[(position - 1) / 2]);
         position = (position - 1) / 2;
     }
+    /*@ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
+      @ loop assigns position, c->heap[0 .. c->heap_count - 1],
+      @     c->filed[0 .. c->slots - 1].place;
+      @ loop variant c->heap_count - position; */
     for (;;) {
         uint32_t child = 2 * position + 1;
         if (child >= c->heap_count)

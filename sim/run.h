@@ -30,8 +30,8 @@ typedef struct brink_tally {
     // bounces turned inward, see <brink/impulse.h>; and cores and bounces from
     // outside that a rounding would have left going in, turned outward
     uint64_t rim;
-    uint64_t refused;   // refused by the state machine: stops the run
-    brink_sum virial;   // of r.dp
+    uint64_t refused;         // refused by the state machine: stops the run
+    brink_sum virial;         // of r.dp
     double contact_error_max; // max | |r| - distance | / distance at an event
 } brink_tally;
 

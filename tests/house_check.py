@@ -118,14 +118,14 @@ def check_readme():
         fault("README.md", f"kernel {kernel} is in the table or in kernels/, not both")
     for kernel in sorted(public & rows.keys()):
         for column, pattern in ((4, "tests/{}_test.c"), (5, "fuzz/{}_fuzz.c"),
-                                (6, "proofs/{}.*")):
+                                (6, "proofs/{}[._]*")):
             there = exists(".", pattern.format(kernel))
             if there != ("`" in rows[kernel][column]):
                 fault("README.md", f"{kernel}: column {column + 1} is not as the tree")
 
 
 def check_fuzz_and_proofs():
-    for folder, pattern in (("fuzz", "{}_fuzz.c"), ("proofs", "{}.*")):
+    for folder, pattern in (("fuzz", "{}_fuzz.c"), ("proofs", "{}[._]*")):
         if exists(folder, "*"):
             for kernel in sorted(public_kernels()):
                 if not exists(folder, pattern.format(kernel)):
@@ -138,8 +138,8 @@ def check_fuzz_table():
     for line in (ROOT / "fuzz/README.md").read_text().splitlines():
         cells = [c.strip() for c in line.strip("|").split("|")]
         if len(cells) == 3 and cells[0].startswith("`"):
-            for name in re.findall(r"`(\w+)`", cells[0]):
-                table[name] = re.findall(r"`(\w+)`", cells[1])
+            for name in re.findall(r"`([\w/.]+)`", cells[0]):
+                table.setdefault(name, []).extend(re.findall(r"`(\w+)`", cells[1]))
     declared = re.compile(r"^[\w ]+?[ *](brink_\w+)\(", re.MULTILINE)
     for kernel in sorted(public_kernels()):
         header = (ROOT / f"kernels/{kernel}.h").read_text()

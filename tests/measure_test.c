@@ -112,6 +112,31 @@ START_TEST(the_gap_is_how_far_the_pair_is_from_the_surface)
 }
 END_TEST
 
+// Found by fuzzing: distances a million times larger than what is flown were
+// taken from each other, and left their own rounding as a gap.
+START_TEST(far_pairs_that_hardly_move_are_judged_by_how_they_move)
+{
+    stream s = stream_of_seed(1);
+    for (int i = 0; i < 100; i++) {
+        double x[7] = {0}, along = 0, square = 0;
+        for (int k = 0; k < 6; k++)
+            x[k] = stream_real(&s, -1, 1);
+        for (int k = 0; k < 3; k++) {
+            along += x[k] * x[3 + k];
+            square += x[3 + k] * x[3 + k];
+        }
+        for (int k = 0; k < 3; k++) // at its closest approach, to a rounding
+            x[k] -= along / square * x[3 + k];
+        truth t;
+        problem_disjoint.solve(x, &t);
+        // That is at some t = 2^-52; at 3 t it is (2 t)^2 / 2 farther, a few eps
+        // of t.  A distance rounded to long double would be off by 2^40 of them.
+        const double y = 3 * t.x[0].nearest;
+        ck_assert(problem_disjoint.judge(x, &t, 0, &y).error[1] < 0x1p10);
+    }
+}
+END_TEST
+
 START_TEST(a_sample_is_in_order_and_knows_its_worst)
 {
     sample s[2], all;
@@ -217,6 +242,7 @@ int main(void)
         what_is_wrong_is_called_by_its_name,
         a_quadratic_is_judged_by_its_count_first,
         the_gap_is_how_far_the_pair_is_from_the_surface,
+        far_pairs_that_hardly_move_are_judged_by_how_they_move,
         a_sample_is_in_order_and_knows_its_worst, names_are_of_one_method_each,
         every_method_of_ours_keeps_its_promise, more_work_costs_more);
 }

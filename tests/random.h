@@ -50,7 +50,7 @@ static inline uint64_t stream_bits(stream *s)
 /** An integer from low to high, both included. */
 static inline int stream_int(stream *s, int low, int high)
 {
-    const uint64_t kinds = (uint64_t)(high - low + 1);
+    const uint64_t kinds = high > low ? (uint64_t)((int64_t)high - low + 1) : 1;
     const unsigned bytes = kinds <= 1 << 8 ? 1 : kinds <= 1 << 16 ? 2 : 4;
     return low + (int)(stream_word(s, bytes) % kinds);
 }

@@ -1,0 +1,22 @@
+; SPDX-License-Identifier: MIT
+; later_root is a number and not negative, whatever doubles a > 0, b, c, d: a, b, c finite, d any
+; number.  In binary64, bit by bit.
+(set-logic QF_FP)
+(define-sort Double () (_ FloatingPoint 11 53))
+(define-fun zero () Double (_ +zero 11 53))
+(define-fun half () Double (fp #b0 #b01111111110 (_ bv0 52)))
+(declare-const a Double)
+(declare-const b Double)
+(declare-const c Double)
+(declare-const d Double)
+(assert (and (fp.gt a zero) (not (fp.isInfinite a))))
+(assert (not (or (fp.isNaN b) (fp.isInfinite b))))
+(assert (not (or (fp.isNaN c) (fp.isInfinite c) (fp.isInfinite (fp.sub RNE (fp.abs c) c)))))
+(assert (not (fp.isNaN d)))
+(define-fun root () Double (fp.sqrt RNE (fp.abs d)))
+(define-fun sum () Double (fp.add RNE root (fp.abs b)))
+(define-fun depth () Double (fp.mul RNE half (fp.sub RNE (fp.abs c) c)))
+(define-fun parting () Bool (fp.gt b zero))
+(define-fun t () Double (fp.div RNE (ite parting depth sum) (ite parting sum a)))
+(assert (not (fp.geq t zero)))
+(check-sat)

@@ -1,0 +1,234 @@
+(* SPDX-License-Identifier: MIT *)
+(* Error-free transforms of exact.h in binary64, round to nearest even: the double
+   format with gradual underflow and, above, no bound: overflow is excluded. *)
+From Coq Require Import ZArith Reals Psatz.
+From Flocq Require Import Core Mult_error Plus_error Relative Pff2Flocq.
+Open Scope R_scope.
+
+Definition emin := (-1074)%Z.
+Definition prec := 53%Z.
+Global Instance prec_is_positive : Prec_gt_0 prec.
+Proof. now red. Qed.
+
+Notation exponent := (FLT_exp emin prec).
+Notation rnd := (round radix2 exponent ZnearestE).
+Notation is_double := (generic_format radix2 exponent).
+Notation pow := (bpow radix2).
+
+Definition plus x y := rnd (x + y).
+Definition minus x y := rnd (x - y).
+Definition mult x y := rnd (x * y).
+Definition fma x y z := rnd (x * y + z).
+
+Lemma rnd_is_double x : is_double (rnd x).
+Proof. apply generic_format_round; auto with typeclass_instances. Qed.
+
+Lemma rnd_of_double x : is_double x -> rnd x = x.
+Proof. apply round_generic; auto with typeclass_instances. Qed.
+
+Lemma to_even_is_odd x : negb (Z.even x) = negb (negb (Z.even (- (x + 1)))).
+Proof. rewrite Z.even_opp, Z.even_add; simpl; destruct (Z.even x);
+  reflexivity. Qed.
+
+(* --- two_sum, fast_two_sum, two_prod ---------------------------------------- *)
+
+Record dd := Dd { hi : R; lo : R }.
+
+Definition two_sum (a b : R) :=
+  let s := plus a b in let t := minus s a in
+  Dd s (plus (minus a (minus s t)) (minus b t)).
+
+Definition fast_two_sum (a b : R) :=
+  let s := plus a b in Dd s (minus b (minus s a)).
+
+Definition two_prod (a b : R) :=
+  let p := mult a b in Dd p (fma a b (- p)).
+
+(* hi + lo = a + b, exactly: no condition on a and b, gradual underflow
+   included. *)
+Theorem two_sum_is_exact a b : is_double a -> is_double b ->
+  hi (two_sum a b) + lo (two_sum a b) = a + b.
+Proof.
+intros A B.
+apply (TwoSum_correct emin prec (fun x => negb (Z.even x))); try easy.
+exact to_even_is_odd.
+Qed.
+
+(* The same with one step less, where |a| >= |b| or a = 0. *)
+Theorem fast_two_sum_is_exact a b : is_double a -> is_double b ->
+  Rabs b <= Rabs a \/ a = 0 ->
+  hi (fast_two_sum a b) + lo (fast_two_sum a b) = a + b.
+Proof.
+intros A B [Larger | ->].
+- rewrite <- (Fast2Sum_correct emin prec (fun x => negb (Z.even x)) ltac:(easy)
+    ltac:(easy) to_even_is_odd a b A B Larger); simpl; f_equal.
+  unfold minus, plus; f_equal; unfold Rminus; f_equal.
+  rewrite <- round_NE_opp; f_equal; ring.
+- simpl; unfold plus, minus; rewrite Rplus_0_l, Rminus_0_r.
+  rewrite !(rnd_of_double b B), Rminus_eq_0, round_0;
+    auto with typeclass_instances.
+  ring.
+Qed.
+
+(* hi + lo = a b, exactly, where a b is 0 or so large that it has no bits below
+   2^-1074: 2^-969 is enough. *)
+Theorem two_prod_is_exact a b : is_double a -> is_double b ->
+  a * b = 0 \/ pow (-969) <= Rabs (a * b) ->
+  hi (two_prod a b) + lo (two_prod a b) = a * b.
+Proof.
+intros A B Large; simpl; unfold mult, fma.
+rewrite (rnd_of_double (a * b + - rnd (a * b))); [ring|].
+replace (a * b + - rnd (a * b)) with (- (rnd (a * b) - a * b)) by ring.
+apply generic_format_opp, mult_error_FLT; auto with typeclass_instances.
+intro N; destruct Large as [Z|Large]; [contradiction | exact Large].
+Qed.
+
+(* In all three lo is no more than half an ulp, u = 2^-53 of hi. *)
+Theorem sums_are_normalized a b : is_double a -> is_double b ->
+  Rabs (lo (two_sum a b)) <= pow (-53) * Rabs (hi (two_sum a b)).
+Proof.
+intros A B; pose proof (two_sum_is_exact a b A B) as E.
+set (x := two_sum a b) in *.
+assert (hi x = rnd (a + b)) as H by reflexivity.
+destruct (FLT_plus_error_N_round_ex radix2 emin prec (fun x => negb (Z.even x))
+  a b A B)
+  as (eps & Small & S).
+replace (lo x) with (hi x * eps) by (rewrite H; rewrite H in E; lra).
+rewrite Rabs_mult, Rmult_comm; apply Rmult_le_compat_r; [apply Rabs_pos|].
+apply Rle_trans with (1 := Small); unfold u_ro; simpl; lra.
+Qed.
+
+(* --- is_told ---------------------------------------------------------------- *)
+
+Lemma told_by_more t x : is_double (hi t) ->
+  fma (lo t) (1 + pow (-15)) (hi t) = hi t ->
+  Rabs (hi t + lo t - x) <= pow (-15) * Rabs (lo t) -> rnd x = hi t.
+Proof.
+intros H Told Near; unfold fma in Told.
+assert (0 <= pow (-15) <= 1 / 2) as Small by (simpl; lra).
+apply Rabs_le_inv in Near.
+(* x lies between hi and hi + lo (1 + 2^-15), which both round to hi. *)
+apply Rle_antisym.
+- destruct (Rle_or_lt 0 (lo t)).
+  + rewrite <- Told; apply round_le; auto with typeclass_instances.
+    rewrite Rabs_pos_eq in Near by assumption; lra.
+  + rewrite <- (rnd_of_double _ H); apply round_le; auto with typeclass_instances.
+    rewrite Rabs_left in Near by assumption; nra.
+- destruct (Rle_or_lt 0 (lo t)).
+  + rewrite <- (rnd_of_double _ H) at 1; apply round_le;
+      auto with typeclass_instances.
+    rewrite Rabs_pos_eq in Near by assumption; nra.
+  + rewrite <- Told at 1; apply round_le; auto with typeclass_instances.
+    rewrite Rabs_left in Near by assumption; lra.
+Qed.
+
+(* No midpoint is nearer to a double than 2^-54 of it, but for less than
+   2^-106. *)
+Lemma near_is_nearest_pos h x : is_double h -> 0 < h ->
+  Rabs (x - h) <= (pow (-55) + pow (-70)) * h -> rnd x = h.
+Proof.
+intros H P Near; apply Rabs_le_inv in Near.
+pose proof (ulp_FLT_gt radix2 emin prec h) as Up;
+  rewrite Rabs_pos_eq in Up by lra.
+pose proof (succ_pred radix2 exponent h H) as Back.
+assert (0 <= pred radix2 exponent h) as P0
+  by (apply pred_ge_0; auto with typeclass_instances).
+rewrite succ_eq_pos in Back by exact P0.
+pose proof (ulp_FLT_gt radix2 emin prec (pred radix2 exponent h)) as Down.
+rewrite Rabs_pos_eq in Down by exact P0.
+simpl in Near, Up, Down.
+apply Rle_antisym.
+- apply round_N_le_midp; auto with typeclass_instances.
+  rewrite succ_eq_pos; lra.
+- apply round_N_ge_midp; auto with typeclass_instances; lra.
+Qed.
+
+Lemma near_is_nearest h x : is_double h -> h <> 0 ->
+  Rabs (x - h) <= (pow (-55) + pow (-70)) * Rabs h -> rnd x = h.
+Proof.
+intros H N Near; destruct (Rle_or_lt 0 h) as [P|P].
+- rewrite (Rabs_pos_eq h P) in Near; apply near_is_nearest_pos; try assumption;
+    lra.
+- rewrite (Rabs_left h P) in Near.
+  rewrite <- (Ropp_involutive x), round_NE_opp, <- (Ropp_involutive h); f_equal.
+  apply near_is_nearest_pos; [apply generic_format_opp, H | lra |].
+  rewrite <- Rabs_Ropp; replace (- (- x - - h)) with (x - h) by ring; exact Near.
+Qed.
+
+(* is_told(): hi stays what it is when lo is added to it a little larger than
+   it is. Then hi is the double nearest to what hi + lo stands for, where that
+   is known to 2^-70: of any magnitude, barring overflow. *)
+Definition is_told (x : dd) := fma (lo x) (1 + pow (-15)) (hi x) = hi x.
+
+Theorem told_is_nearest t x : is_double (hi t) -> is_told t ->
+  Rabs (hi t + lo t - x) <= pow (-70) * Rabs (hi t) -> rnd x = hi t.
+Proof.
+intros H Told Near.
+destruct (Rle_or_lt (pow (-55) * Rabs (hi t)) (Rabs (lo t))) as [Large|Little].
+- apply told_by_more; try assumption; apply Rle_trans with (1 := Near).
+  simpl in Large |- *; lra.
+- apply near_is_nearest; try assumption.
+  + intro Z; rewrite Z, Rabs_R0, Rmult_0_r in Little;
+      pose proof (Rabs_pos (lo t)); lra.
+  + replace (x - hi t) with (lo t - (hi t + lo t - x)) by ring.
+    apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra.
+Qed.
+
+(* --- Double-double times double --------------------------------------------- *)
+
+Definition dd_mul_d (x : dd) (y : R) :=
+  let p := two_prod (hi x) y in fast_two_sum (hi p) (fma (lo x) y (lo p)).
+
+(* What the one rounding that is not made good leaves: 2u^2 of |hi y|. *)
+Theorem dd_mul_d_is_close x y : is_double (hi x) -> is_double y ->
+  Rabs (lo x) <= pow (-53) * Rabs (hi x) -> pow (-960) <= Rabs (hi x * y) ->
+  Rabs (hi (dd_mul_d x y) + lo (dd_mul_d x y) - (hi x + lo x) * y)
+  <= pow (-105) * Rabs (hi x * y).
+Proof.
+intros H Y L Large.
+assert (pow (-969) <= Rabs (hi x * y)) as Large'
+  by (apply Rle_trans with (2 := Large), bpow_le; lia).
+pose proof (two_prod_is_exact _ _ H Y (or_intror Large')) as P.
+set (p := two_prod (hi x) y) in *; set (e := Rabs (hi x * y)) in *.
+assert (Rabs (hi p - hi x * y) <= / 2 * pow (- (53) + 1) * e) as Rel.
+{ apply relative_error_N_FLT; [easy|].
+  apply Rle_trans with (2 := Large), bpow_le; unfold emin, prec; lia. }
+assert (Rabs (lo p) <= pow (-53) * e) as Lp.
+{ replace (lo p) with (- (hi p - hi x * y)) by lra; rewrite Rabs_Ropp.
+  simpl (pow _) in Rel |- *; lra. }
+assert (Rabs (lo x * y) <= pow (-53) * e) as Lx.
+{ unfold e; rewrite !Rabs_mult, <- Rmult_assoc.
+  apply Rmult_le_compat_r; [apply Rabs_pos | exact L]. }
+assert (0 < e) as E by (apply Rlt_le_trans with (2 := Large), bpow_gt_0).
+set (z := lo x * y + lo p).
+assert (Rabs z <= pow (-52) * e) as Z.
+{ apply Rle_trans with (1 := Rabs_triang _ _).
+  simpl (pow _) in Lp, Lx |- *; lra. }
+assert (Rabs (rnd z - z) <= pow (-105) * e) as Last.
+{ apply Rle_trans with (/ 2 * ulp radix2 exponent (pow (-52) * e)).
+  - apply Rle_trans with (/ 2 * ulp radix2 exponent z).
+    + apply error_le_half_ulp; auto with typeclass_instances.
+    + apply Rmult_le_compat_l; [lra|]; apply ulp_le;
+        auto with typeclass_instances.
+      rewrite (Rabs_pos_eq (pow (-52) * e)); [exact Z|].
+      pose proof (bpow_gt_0 radix2 (-52)); nra.
+  - assert (ulp radix2 exponent (pow (-52) * e)
+            <= Rabs (pow (-52) * e) * pow (1 - 53)) as U.
+    { apply ulp_FLT_le; auto with typeclass_instances.
+      rewrite Rabs_pos_eq by (pose proof (bpow_gt_0 radix2 (-52)); nra).
+      apply Rle_trans with (pow (-52) * pow (-960)).
+      - rewrite <- bpow_plus; apply bpow_le; unfold emin, prec; lia.
+      - apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Large]. }
+    rewrite Rabs_pos_eq in U by (pose proof (bpow_gt_0 radix2 (-52)); nra).
+    simpl (pow _) in U |- *; lra. }
+assert (hi (dd_mul_d x y) + lo (dd_mul_d x y) = hi p + rnd z) as ->.
+{ apply fast_two_sum_is_exact; try apply rnd_is_double; left.
+  change (fma (lo x) y (lo p)) with (rnd z).
+  pose proof (Rabs_triang (rnd z - z) z) as T1.
+  replace (rnd z - z + z) with (rnd z) in T1 by ring.
+  pose proof (Rabs_triang_inv (hi x * y) (hi p)) as T2.
+  rewrite Rabs_minus_sym in T2; fold e in T2.
+  simpl (pow _) in Last, Z, Rel; lra. }
+replace (hi p + rnd z - (hi x + lo x) * y) with (rnd z - z) by (unfold z; lra).
+exact Last.
+Qed.

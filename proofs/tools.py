@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""How each tool is asked, and what of its answer counts as a proof.
+
+A tool is a function of the tree, a folder of its own to work in, and the proof's file; it
+gives whether all is proved, and what was said.  What a file needs beyond that it says itself,
+in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`).
+"""
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+
+LONGEST = 900  # seconds, for one proof
+
+
+def options_of(file):
+    """The words after every `with:` in the first lines of a file."""
+    head = "\n".join(file.read_text().splitlines()[:12])
+    said = re.findall(r"with: (.*?)(?:\*\)|\*/)?$", head, re.MULTILINE)
+    return shlex.split(" ".join(said))
+
+
+def run(arguments, folder):
+    done = subprocess.run([str(a) for a in arguments], cwd=folder, text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LONGEST)
+    return done.returncode, done.stdout
+
+
+# The real numbers of Coq's library, and classical logic.
+AXIOMS = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
+          "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
+
+
+def coq(tree, build, file):
+    """Every theorem of the file, asked what they rest on: no axiom but the reals' and those
+    of classical logic."""
+    theorems = re.findall(r"^Theorem (\w+)", file.read_text(), re.MULTILINE)
+    asked = f"Definition all_of_them := ({', '.join(theorems)}).\nPrint Assumptions all_of_them.\n"
+    said = ""
+    for part in [tree / "proofs" / p for p in options_of(file)] + [file]:
+        (build / part.name).write_text(part.read_text() + (asked if part == file else ""))
+        status, said = run(["coqc", "-w", "-ambiguous-paths", "-Q", ".", "Brink", part.name], build)
+        if status:
+            return False, f"{part.name}: {said}"
+    rests_on = set(re.findall(r"^([\w.]+)(?= :|$)", said.partition("Axioms:")[2], re.MULTILINE))
+    return bool(theorems) and rests_on <= AXIOMS, said
+
+
+# A rewriting that a Gappa script asks for is a hypothesis of its certificate: these prove it.
+HINTS = """Require Import Reals Lra Gappa.Gappa_library.
+(* What holds of the square root of a variable that is not 0: it is positive, and its square. *)
+Ltac root x := match goal with H : sqrt x <> 0%R |- _ =>
+  let P := fresh in let Q := fresh in let y := fresh in let E := fresh in
+  assert (P : (0 <= x)%R)
+    by (destruct (Rle_or_lt 0 x); [assumption | exfalso; apply H, sqrt_neg_0; lra]);
+  assert (Q := sqrt_sqrt x P); remember (sqrt x) as y eqn:E; clear E; subst x end.
+Ltac hint := intros; unfold Float1 in *;
+  repeat (match goal with H : sqrt ?x <> 0%R |- _ => is_var x; root x end);
+  field; repeat split; try assumption; try lra; intro;
+  repeat match goal with H : _ <> _ |- _ => apply H end; lra.
+"""
+HYPOTHESIS = re.compile(r"^Hypothesis (a\d+) : (.*)\.$", re.MULTILINE)
+
+
+def gappa(tree, build, file):
+    """The bounds of a script, and their certificate checked by Coq, with no hypothesis left."""
+    del tree
+    shutil.copy(file, build)
+    status, said = run(["gappa", *options_of(file), file.name], build)
+    if status or "?" in said:
+        return False, said
+    certificate = subprocess.run(["gappa", "-Bcoq", *options_of(file), file.name], cwd=build,
+                                 text=True, check=False, capture_output=True, timeout=LONGEST)
+    if certificate.returncode:
+        return False, certificate.stderr
+    proved = HYPOTHESIS.sub(r"Lemma \1 : \2.\nProof. hint. Qed.", certificate.stdout)
+    module = build / f"{file.stem}_certificate.v"
+    module.write_text(HINTS + proved)
+    status, more = run(["coqc", module.name], build)
+    return status == 0 and not re.search(r"Hypothesis|Axiom|Admitted", proved), said + more
+
+
+def portable(tree):
+    """What Frama-C's preprocessor is told: the kernels' branches without intrinsics."""
+    folders = f"-I{tree / 'kernels'} -I{tree / 'sim'}"
+    return f"-cpp-extra-args={folders} -U__SSE2__ -U__AVX__ -U__FMA__"
+
+
+def wp(tree, build, file):
+    """Every goal of Frama-C's WP, run-time errors among them; frama-c itself succeeds with
+    goals open, so its summary is read."""
+    provers = pathlib.Path(__file__).parent / "why3.conf"
+    status, said = run(
+        ["env", f"WHY3CONFIG={provers}", "frama-c", "-wp", "-wp-rte", "-wp-cache", "none",
+         "-wp-smoke-tests", "-wp-par", "1", "-wp-prover", "cvc5-nofp,z3",
+         "-wp-timeout", "60", "-wp-smoke-timeout", "1", "-wp-no-smoke-dead-code", "-warn-special-float", "none", portable(tree),
+         *options_of(file), file], build)
+    goals = re.findall(r"Proved goals: +(\d+) / (\d+)", said)
+    return status == 0 and bool(goals) and goals[-1][0] == goals[-1][1] != "0", said
+
+
+def eva(tree, build, file):
+    """No alarm from Frama-C's Eva, and every assertion valid."""
+    status, said = run(
+        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none", portable(tree),
+         *options_of(file), file], build)
+    whole = "0 alarms generated" in said and "100% of the logical properties" in said
+    return status == 0 and whole, said
+
+
+def cvc5(tree, build, file):
+    """Unsatisfiable, bit by bit: there is no input that breaks the claim."""
+    del tree
+    status, said = run(["cvc5", "--fp-exp", *options_of(file), file], build)
+    answers = said.split()
+    return status == 0 and bool(answers) and set(answers) == {"unsat"}, said
+
+
+def small(tree, build, file):
+    """A program that tries every input of a small format: the kernels' own source, included with
+    other numbers in place of double (small_format.h), beside the same as it is compiled for the
+    library (`with:`), which it must agree with at 53 bits.  Status 0: all hold."""
+    program = build / file.stem
+    common = ["-O2", "-ffp-contract=off", f"-I{tree / 'kernels'}", f"-I{tree / 'proofs'}"]
+    objects = []
+    for source in options_of(file):
+        objects.append(build / f"{pathlib.Path(source).stem}.o")
+        status, said = run(["gcc", "-std=c17", *common, "-c", tree / source, "-o", objects[-1]],
+                           build)
+        if status:
+            return False, said
+    status, said = run(["g++", "-std=gnu++20", "-Wno-class-memaccess", *common, file, *objects,
+                        "-o", program], build)
+    if status:
+        return False, said
+    status, more = run([program], build)
+    return status == 0, said + more
+
+
+TOOLS = {"coq": coq, "gappa": gappa, "wp": wp, "eva": eva, "cvc5": cvc5, "small": small}
