@@ -202,6 +202,7 @@ static void move_by_pair(maker *m, uint32_t i, uint32_t j, const double u[3])
     if (s->dimensions == 3 && u[0] == 0 && u[1] == 0)
         w[0] = 1;
     for (int a = 0; a < s->dimensions; a++)
+        // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
         s->particle[i].v[a] = s->particle[j].v[a] + along * u[a] + across * w[a];
 }
 
