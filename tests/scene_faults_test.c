@@ -158,8 +158,8 @@ static const struct fault {
     {ONE("[[.inf, 1]]"), 5, 14, "write a finite number"},
     {ONE("[[0, .inf]]"), 5, 14, "must be more than 0"},
     {ONE("[[6, -1], [1, .inf]]"), 1, 23, "not more than twice the 6"},
-    // Found by fuzz/run_fuzz.c: at just twice, a pair meets in two images at once,
-    // and the impulse could be for the other one.
+    // Found by fuzz/run_fuzz.c: at just twice, a pair meets in two images at
+    // once, and the impulse could be for the other one.
     {"box: {size: [4, 8, 8]}\nspecies: {A: {count: 9}}\npotentials:\n  - "
      "between: [A, A]\n"
      "    steps: [[2, -1], [1, .inf]]\n",
