@@ -84,7 +84,7 @@ enum brink_run_status {
 
 /** Particles that never meet cross cells for ever: after as many crossings as
  * take a second or so, whoever waits is asked whether to go on. */
-#define BRINK_PATIENCE (1u << 18)
+#define BRINK_PATIENCE (1U << 18)
 
 /** Takes over the system (which is empty afterwards) as a configuration first
  * made: cells and levels from position, everything predicted.  0, -1 no memory.

@@ -209,8 +209,10 @@ START_TEST(the_check_sees_what_is_wrong_and_says_so)
 {
     brink_calendar c;
     ck_assert_int_eq(brink_calendar_create(&c, SLOTS, YEAR, 16), 0);
-    for (uint32_t s = 0; s < 60; s++) // 20 a year, in half the days: 0, 2, ...
-        set(&c, s, s / 20, (double)(s % 20 / 3), BRINK_ENTRY_CELL, s, 0);
+    for (uint32_t s = 0; s < 60; s++) { // 20 a year, in half the days: 0, 2, ...
+        const uint32_t unit = s % 20 / 3;
+        set(&c, s, s / 20, unit, BRINK_ENTRY_CELL, s, 0);
+    }
     clear(&c, brink_calendar_next(&c));
     for (uint32_t p = 0; p < c.heap_count; p++) {
         const uint32_t slot = c.heap[p], places[] = {p + 1, p - 1, SLOTS};
