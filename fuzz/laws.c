@@ -147,7 +147,7 @@ static int is_scaled(const trial *t, double y, int e)
     if (t->y == 0)
         return fabs(y) <= ldexp(1, e - 1074);
     if (isinf(t->y))
-        return fabs(y) >= ldexp(1, e + 1023) && y * t->y > 0;
+        return fabs(y) >= ldexp(1, e + 1023) && (y == 0 || y * t->y > 0);
     if (!times_power(&want, t->y, e) || !isnormal(want) || !isnormal(t->y))
         return 1;
     return may_both_be(t, want, y);
