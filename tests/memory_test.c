@@ -130,7 +130,6 @@ static void read_scene(const char *of)
 {
     brink_scene_destroy(&scene); // the one before, or nothing
     text = of;
-    nowhere = fopen("/dev/null", "w");
     ck_assert_int_eq(
         brink_scene_parse(text, strlen(text), "scene", "", &scene, stderr), 0);
 }
@@ -206,7 +205,6 @@ START_TEST(an_explanation_without_memory_is_an_error)
 {
     const char *folder = new_quick_folder();
     const int before = dup(STDERR_FILENO), to = open("/dev/null", O_WRONLY);
-    nowhere = fopen("/dev/null", "w");
     write_file(folder, "scene.yaml", few_in_rows);
     snprintf(path, sizeof path, "%s/scene.yaml", folder);
     dup2(to, STDERR_FILENO);
@@ -218,6 +216,7 @@ END_TEST
 
 int main(void)
 {
+    nowhere = fopen("/dev/null", "w");
     return RUN_SUITE("memory", 300, a_scene_without_memory_is_an_error,
                      a_start_without_memory_is_an_error,
                      a_run_without_memory_stops,
