@@ -2,9 +2,8 @@
 // sim/array.h: every element 0, whatever was in that memory before, and aligned
 // as promised, below and above the size from which large pages are asked for.
 #include "array.h"
-#include <check.h>
+#include "suite.h"
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 static void is_clean(size_t count, size_t size)
@@ -42,15 +41,7 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("array");
-    TCase *tc = tcase_create("array");
-    tcase_set_timeout(tc, 60);
-    tcase_add_test(tc, every_element_is_zero_and_the_first_on_a_line_of_cache);
-    tcase_add_test(tc, more_than_can_be_counted_is_no_memory);
-    suite_add_tcase(suite, tc);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    return RUN_SUITE("array", 60,
+                     every_element_is_zero_and_the_first_on_a_line_of_cache,
+                     more_than_can_be_counted_is_no_memory);
 }

@@ -37,7 +37,7 @@ static void add(brink_lists *l, model *m, uint32_t i, uint64_t item)
     m->item[i][m->count[i]++] = item;
 }
 
-// What is less than half full gives back what it does not need, what is empty all.
+// What is less than half full gives back what it can spare, what is empty all.
 static void drop(brink_lists *l, model *m, uint32_t i, uint32_t k)
 {
     brink_lists_remove(l, i, k);
