@@ -151,6 +151,9 @@ def check_fuzz_table():
             path = ROOT / f"fuzz/{target}_fuzz.c"
             if not path.exists():
                 fault("fuzz/README.md", f"{name}: there is no fuzz/{target}_fuzz.c")
+    for path in (ROOT / "fuzz").glob("*.*"):
+        if path.suffix in (".options", ".dict") and not path.with_suffix(".c").exists():
+            fault(path, "is of no target")
     targets = {p.stem.removesuffix("_fuzz") for p in (ROOT / "fuzz").glob("*_fuzz.c")}
     for target in sorted(targets - {t for row in table.values() for t in row}):
         fault(f"fuzz/{target}_fuzz.c", "is in no row of fuzz/README.md")
