@@ -24,8 +24,9 @@ static void keep_to_paths(const double *x)
 
 enum { SLANTING = 64 };
 
-/** Of the nearest doubles a turn of the axes, which adds in another order, changes
- *  none; a sum that is taken for better than it is shows in one of 2^17. */
+/** Of the nearest doubles a turn of the axes, which adds in another order,
+ *  changes none; a sum that is taken for better than it is shows in one of some
+ *  2^17. */
 static void turn_slanting(stream *s)
 {
     stream many = stream_of_seed(stream_bits(s));
