@@ -91,8 +91,8 @@ void brink_checkpoint_clear(const char *dir)
     rmdir(dir);
 }
 
-// Those older than the one before `newest`.  What is newer than that has been passed
-// over: it is nothing to go on from, and makes no whole one superfluous.
+// Those older than the one before `newest`.  What is newer than that has been
+// passed over: it is nothing to go on from, and makes no whole one superfluous.
 static void remove_old(const char *dir, const char *newest)
 {
     char(*names)[NAME];
@@ -182,7 +182,8 @@ int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
     return fault ? -1 : 0;
 }
 
-// One whose name says another number of events would be taken for newer than it is.
+// One whose name says another number of events would be taken for newer than it
+// is.
 static int load_as_named(const char *path, const char *name, brink_run *run,
                          brink_plan *plan, FILE *errors)
 {

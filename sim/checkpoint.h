@@ -8,9 +8,9 @@
  */
 #include "snapshot.h"
 
-/** Writes `run` and `plan` into DIR and removes the checkpoints older than the one
- *  before it; newer ones, which were passed over when this run was resumed, stay.
- *  0; -1 with a message to `errors`, the earlier checkpoints untouched. */
+/** Writes `run` and `plan` into DIR and removes the checkpoints older than the
+ *  one before it; newer ones, which were passed over when this run was resumed,
+ *  stay.  0; -1 with a message to `errors`, the earlier checkpoints untouched. */
 int brink_checkpoint_save(const char *dir, const brink_run *run,
                           const brink_plan *plan, FILE *errors);
 

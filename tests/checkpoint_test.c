@@ -141,8 +141,8 @@ START_TEST(damaged_ones_that_are_newer_make_none_superfluous)
 }
 END_TEST
 
-/* Found by fuzz/checkpoint_fuzz.c: a copy by another name was taken for the newest,
- * and for one from before an event that it is not before. */
+/* Found by fuzz/checkpoint_fuzz.c: one by another name was taken for as new as
+ * that, and for one from before an event that it is not before. */
 START_TEST(one_by_the_name_of_another_is_passed_over)
 {
     char folder[64], path[200], other[200];
