@@ -54,13 +54,18 @@ say_finding() {
     grep -A12 -E '^finding:|ERROR:|runtime error' "$log" | head -n 40 >&2 || true
 }
 
-# Into the corpus goes what reaches something that it does not reach yet; where that is
+# The corpus becomes as few files as run everything that it and the pool do; where that is
 # more than there is room for, the smallest.  Findings of the past stay.
 keep_best() {
+    cover=$(mktemp -d)
     # shellcheck disable=SC2086
-    "$program" $options -merge=1 "$kept" "$pool" >>"$log" 2>&1 || true
-    find "$kept" -type f ! -name 'found-*' -printf '%s %p\n' | sort -n |
-        awk -v room="$room" '{ n += $1; if (n > room) print $2 }' | xargs -r rm -f
+    if "$program" $options -set_cover_merge=1 -use_counters=0 "$cover" "$kept" "$pool" \
+        >>"$log" 2>&1; then
+        find "$kept" -type f ! -name 'found-*' -delete
+        find "$cover" -type f -printf '%s %p\n' | sort -n |
+            awk -v room="$room" '{ n += $1; if (n <= room) print $2 }' | xargs -r cp -t "$kept"
+    fi
+    rm -r "$cover"
 }
 
 # How many cases were tried, as the engines' own notes have it.
