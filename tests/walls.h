@@ -8,11 +8,11 @@ typedef struct wall_case {
     double r[3], v[3], n[3], c[3];
 } wall_case;
 
-/** A vector across n but for 2^-50 to 2^-40 of it, of which sums that carry their
- *  errors know 2^-66 or so: next to nothing of a double's digits is spare. */
+/** A vector across n but for 2^-45 to 2^-38 of it, of which sums that carry their
+ *  errors know 2^-62 or so: little more than a double's digits. */
 static inline void make_across(stream *s, const double n[3], double x[3])
 {
-    double along = stream_scaled(s, -50, -40), nn = 0;
+    double along = stream_scaled(s, -45, -38), nn = 0;
     fill_normal(s, x, 1);
     for (int i = 0; i < 3; i++)
         nn += n[i] * n[i];
