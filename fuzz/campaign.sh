@@ -13,15 +13,13 @@ log=build/findings/log/$target.$engine
 mkdir -p "$kept" "$pool" "$findings/log"
 
 room=65536 # bytes of fuzz/corpora that one target may have
-longest=$(sed -n 's/^max_len = //p' "fuzz/$target.options" 2>/dev/null || true)
-dictionary=fuzz/$target.dict
+options=$(sh fuzz/options.sh "$engine" "$target") # words, to be split
 
 by_libfuzzer() {
-    set -- -max_len="${longest:-256}" -len_control=0 -timeout=10 -rss_limit_mb=2048 \
-        -print_final_stats=1 -artifact_prefix="$findings/$target-" "$pool" "$kept"
-    [ ! -f "$dictionary" ] || set -- -dict="$dictionary" "$@"
+    set -- -print_final_stats=1 -artifact_prefix="$findings/$target-" "$pool" "$kept"
     [ "$jobs" -le 1 ] || set -- -fork="$jobs" "$@"
-    "$program" -max_total_time="$seconds" "$@" >"$log" 2>&1 || say_finding
+    # shellcheck disable=SC2086
+    "$program" $options -max_total_time="$seconds" "$@" >"$log" 2>&1 || say_finding
 }
 
 # One main, the rest secondaries, all in one folder; pool and seeds as in libFuzzer.
@@ -32,8 +30,8 @@ by_afl() {
     [ -n "$(ls "$queues/seeds")" ] || echo brink >"$queues/seeds/brink"
     export AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_UI=1 \
         AFL_NO_AFFINITY=1 AFL_AUTORESUME=1
-    set -- -i "$queues/seeds" -o "$queues" -V "$seconds" -G "${longest:-256}"
-    [ ! -f "$dictionary" ] || set -- -x "$dictionary" "$@"
+    # shellcheck disable=SC2086
+    set -- -i "$queues/seeds" -o "$queues" -V "$seconds" $options
     job=1
     while [ "$job" -lt "$jobs" ]; do
         afl-fuzz -S "secondary$job" "$@" -- "$program" >"$log.$job" 2>&1 &
@@ -56,12 +54,18 @@ say_finding() {
     grep -A12 -E '^finding:|ERROR:|runtime error' "$log" | head -n 40 >&2 || true
 }
 
-# Into the corpus goes what reaches something that it does not reach yet; where that is
+# The corpus becomes as few files as run everything that it and the pool do; where that is
 # more than there is room for, the smallest.  Findings of the past stay.
 keep_best() {
-    "$program" -merge=1 -max_len="${longest:-256}" "$kept" "$pool" >>"$log" 2>&1 || true
-    find "$kept" -type f ! -name 'found-*' -printf '%s %p\n' | sort -n |
-        awk -v room="$room" '{ n += $1; if (n > room) print $2 }' | xargs -r rm -f
+    cover=$(mktemp -d)
+    # shellcheck disable=SC2086
+    if "$program" $options -set_cover_merge=1 -use_counters=0 "$cover" "$kept" "$pool" \
+        >>"$log" 2>&1; then
+        find "$kept" -type f ! -name 'found-*' -delete
+        find "$cover" -type f -printf '%s %p\n' | sort -n |
+            awk -v room="$room" '{ n += $1; if (n <= room) print $2 }' | xargs -r cp -t "$kept"
+    fi
+    rm -r "$cover"
 }
 
 # How many cases were tried, as the engines' own notes have it.

@@ -4,9 +4,9 @@
 #
 # A campaign over the targets, all of them by default, of so many minutes in all, 10 by
 # default, on every core.  What is found on the way is kept in build/corpora/TARGET, for
-# the next campaign to start from, whichever the engine; what of it a target's corpus in
-# fuzz/corpora lacks is added there, as far as its room allows.  A finding is printed, its
-# input left in build/findings; status 1.
+# the next campaign to start from, whichever the engine; a target's corpus in fuzz/corpora
+# becomes the few files of both that run all they do.  A finding is printed, its input left
+# in build/findings; status 1.
 #
 # BRINK_CORPORA names another folder for build/corpora: one that several machines share.
 set -eu

@@ -95,46 +95,17 @@ static void check_core(const impact *p)
     oracle_turn_clear(&turn);
 }
 
-/** sin^2 of the angle to the tangent as a multiple of the least one's, and
- *  whether it goes inward. */
-static double rim_angle(const impact *p, const aftermath *a, int *inward)
-{
-    mpfr_t b, rr, vv, v;
-    mpfr_inits2(ORACLE_BITS, b, rr, vv, v, (mpfr_ptr)0);
-    mpfr_set_zero(b, 1);
-    mpfr_set_zero(rr, 1);
-    mpfr_set_zero(vv, 1);
-    for (int k = 0; k < 3; k++) {
-        mpfr_set_d(v, a->v1[k], ORACLE_N);
-        mpfr_sub_d(v, v, a->v2[k], ORACLE_N);
-        oracle_add(rr, 1, p->r[k], p->r[k]);
-        oracle_add(b, 1, p->r[k], a->v1[k]);
-        oracle_add(b, -1, p->r[k], a->v2[k]);
-        mpfr_sqr(v, v, ORACLE_N);
-        mpfr_add(vv, vv, v, ORACLE_N);
-    }
-    *inward = mpfr_sgn(b) < 0;
-    mpfr_sqr(b, b, ORACLE_N);
-    mpfr_mul(rr, rr, vv, ORACLE_N);
-    mpfr_mul_d(rr, rr, BRINK_RIM_ANGLE * BRINK_RIM_ANGLE, ORACLE_N);
-    mpfr_div(b, b, rr, ORACLE_N);
-    const double times = mpfr_get_d(b, ORACLE_N);
-    mpfr_clears(b, rr, vv, v, (mpfr_ptr)0);
-    return times;
-}
-
 /** Turned below the least angle, and then at it, inward, as exactly as rounded
  *  velocities can be: one that is off by an ulp of the speeds turns the relative
  *  velocity by so much of itself, and 2^-24 of the angle is 2^24 times that. */
 static void check_rim(const impact *p)
 {
-    const aftermath was = before_impact(p, 0), a = rim_of(p);
-    int inward;
-    const double angle = rim_angle(p, &was, &inward);
-    if (isnan(angle))
+    const aftermath a = rim_of(p);
+    const oracle_rim was = oracle_rim_of(p->r, p->v1, p->v2);
+    if (isnan(was.times))
         return; // at relative rest
-    if (a.crossed != (angle < 1) && fabs(angle - 1) > 0x1p-50)
-        impact_broken("turned, or not", p, &a, angle);
+    if (a.crossed != was.is_below && fabs(was.times - 1) > 0x1p-50)
+        impact_broken("turned, or not", p, &a, was.times);
     if (!a.crossed) {
         expect_unchanged(p, &a);
         return;
@@ -145,8 +116,9 @@ static void check_rim(const impact *p)
         relative[k] = a.v1[k] - a.v2[k];
     const double speeds = oracle_size(a.v1) + oracle_size(a.v2);
     const double slack = 0x1p-52 * speeds / oracle_size(relative);
-    const double then = sqrt(rim_angle(p, &a, &inward));
-    if (slack < 0x1p-30 && !inward)
+    const oracle_rim is = oracle_rim_of(p->r, a.v1, a.v2);
+    const double then = sqrt(is.times);
+    if (slack < 0x1p-30 && !is.is_inward)
         impact_broken("turned outward", p, &a, then);
     if (!(fabs(then - 1) * BRINK_RIM_ANGLE <= 2 * slack))
         impact_broken("turned to another angle", p, &a, then);
@@ -225,18 +197,11 @@ static void scale(const impact *p, aftermath (*impulse)(const impact *),
 static void keep_to_paths(const impact *p)
 {
     for (int path = 1; path < PATHS_IN_ALL && can_try(path); path++) {
-        double y[2][30] = {{0}};
-        for (int k = 0; k < 2; k++) {
-            memcpy(y[k], p->v1, sizeof p->v1);
-            memcpy(y[k] + 3, p->v2, sizeof p->v2);
-            memcpy(y[k] + 15, y[k], 6 * sizeof y[k][0]);
-            impulses(k * path, p->r, p->m1, p->m2, p->rise, y[k]);
-            balanced_impulses(k * path, p->r, p->m1, p->m2, p->rise, y[k] + 15);
-        }
         const aftermath a = step_of(p);
-        for (int k = 0; k < 30; k++)
-            if (!same(y[0][k], y[1][k]))
-                impact_broken("another path, other bits", p, &a, k);
+        const int k =
+            impulses_differ(path, p->r, p->m1, p->m2, p->rise, p->v1, p->v2);
+        if (k >= 0)
+            impact_broken("another path, other bits", p, &a, k);
     }
 }
 

@@ -33,21 +33,17 @@ for number in "$@"; do
     fault=$(echo fuzz/planted/"$number"-*.patch)
     name=$(basename "$fault" .patch)
     target=$(sed -n 's/^target: //p' "$fault")
-    room=${target%_fuzz}
-    longest=$(sed -n 's/^max_len = //p' "fuzz/$room.options" 2>/dev/null || true)
     plant
     cmake --build "$build" --target "$target" >"$log/$name" 2>&1 || {
         plant -R
         echo "$name: does not build: see $log/$name"
         exit 1
     }
-    dictionary=
-    [ ! -f "fuzz/$room.dict" ] || dictionary=-dict=fuzz/$room.dict
+    options=$(sh fuzz/options.sh libfuzzer "${target%_fuzz}")
     begun=$(date +%s.%N)
-    # shellcheck disable=SC2086 # no dictionary is no word
-    if "$build/fuzz/$target" -seed=$seed -max_len="${longest:-256}" -len_control=0 \
-        -timeout=10 -max_total_time=$most -artifact_prefix="$log/$name-" $dictionary \
-        >>"$log/$name" 2>&1; then
+    # shellcheck disable=SC2086 # words, to be split
+    if "$build/fuzz/$target" $options -seed=$seed -max_total_time=$most \
+        -artifact_prefix="$log/$name-" >>"$log/$name" 2>&1; then
         survived=$((survived + 1))
         echo "$name: SURVIVED $most s of $target"
     else

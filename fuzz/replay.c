@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { LONGEST = 1 << 20, LONGEST_DICE = 512 };
+enum { LONGEST = 1 << 20, LONGEST_DICE = 4096 };
 
 static void usage(const char *program)
 {

@@ -11,7 +11,7 @@ static BRINK_APART double intersection_rescued(const double r[3],
     if (!scale_pair(&p, r, v, sigma))
         return (double)NAN;
     outline o = outline_of(p.r, p.v, p.sigma);
-    return unscaled_time(&p, meeting_time_fast(&o));
+    return scaled(meeting_time_fast(&o), p.unit);
 }
 
 double brink_intersection_time_fast(const double r[3], const double v[3],
@@ -31,7 +31,7 @@ static BRINK_APART double disjoint_rescued(const double r[3], const double v[3],
         return (double)NAN;
     if (largest_of(p.v) == 0)
         return (double)INFINITY;
-    return unscaled_time(&p, parting_time_fast(p.r, p.v, p.sigma));
+    return scaled(parting_time_fast(p.r, p.v, p.sigma), p.unit);
 }
 
 double brink_disjoint_time_fast(const double r[3], const double v[3],

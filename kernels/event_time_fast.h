@@ -93,7 +93,7 @@ BRINK_INLINE double parting_time_fast(const double r[3], const double v[3],
  *  velocities become of order 1. */
 typedef struct scaled_pair {
     double r[3], v[3], sigma;
-    int unit; // times are in units of 2^unit
+    int unit; // times are in units of 2^unit, |unit| <= 2 * 1022
 } scaled_pair;
 
 BRINK_INLINE double largest_of(const double x[3])
@@ -116,11 +116,5 @@ BRINK_INLINE int scale_pair(scaled_pair *p, const double r[3], const double v[3]
     p->sigma = sigma * fr;
     p->unit = er - ev;
     return (sum - sum == 0) & (sigma >= 0) & (p->sigma < 4);
-}
-
-/** t 2^unit, t >= 0. */
-BRINK_INLINE double unscaled_time(const scaled_pair *p, double t)
-{
-    return scaled(t, p->unit < -2040 ? -2040 : p->unit > 2040 ? 2040 : p->unit);
 }
 #endif

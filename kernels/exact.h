@@ -240,7 +240,7 @@ BRINK_INLINE double power_of_two(int e)
     return double_of((uint64_t)(e + 1023) << 52);
 }
 
-/** x 2^e, |e| <= 2040, rounded once if x 2^(e/2) is normal. */
+/** x 2^e, |e| <= 2044, rounded once if x 2^(e/2) is normal. */
 BRINK_INLINE double scaled(double x, int e)
 {
     return x * power_of_two(e / 2) * power_of_two(e - e / 2);

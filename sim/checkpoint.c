@@ -71,24 +71,37 @@ static char *join(const char *dir, const char *name)
     return path;
 }
 
-// All but the newest `kept`.
-static void remove_old(const char *dir, int kept)
+static void remove_from(const char *dir, char (*names)[NAME], int first,
+                        int count)
 {
-    char(*names)[NAME];
-    const int count = list(dir, &names);
-    for (int k = kept; k < count; k++) {
+    for (int k = first; k < count; k++) {
         char *path = join(dir, names[k]);
         if (path)
             unlink(path);
         free(path);
     }
-    free(names);
 }
 
 void brink_checkpoint_clear(const char *dir)
 {
-    remove_old(dir, 0);
+    char(*names)[NAME];
+    const int count = list(dir, &names);
+    remove_from(dir, names, 0, count);
+    free(names);
     rmdir(dir);
+}
+
+// Those older than the one before `newest`.  What is newer than that has been
+// passed over: it is nothing to go on from, and makes no whole one superfluous.
+static void remove_old(const char *dir, const char *newest)
+{
+    char(*names)[NAME];
+    const int count = list(dir, &names);
+    int k = 0;
+    while (k < count && strcmp(names[k], newest) > 0)
+        k++;
+    remove_from(dir, names, k + 2, count);
+    free(names);
 }
 
 static void sync_folder(const char *dir)
@@ -140,7 +153,7 @@ int brink_checkpoint_save(const char *dir, const brink_run *run,
         status = rename(fresh, path);
     if (status == 0) {
         sync_folder(dir);
-        remove_old(dir, 2);
+        remove_old(dir, name);
     } else {
         const int error = errno;
         fprintf(errors,
@@ -169,6 +182,24 @@ int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
     return fault ? -1 : 0;
 }
 
+// One whose name says another number of events would be taken for newer than it
+// is.
+static int load_as_named(const char *path, const char *name, brink_run *run,
+                         brink_plan *plan, FILE *errors)
+{
+    char right[NAME];
+    if (brink_checkpoint_load(path, run, plan, errors))
+        return -1;
+    name_of(right, brink_tally_events(&run->tally));
+    if (strcmp(name, right) == 0)
+        return 0;
+    fprintf(errors, "%s: this checkpoint is refused: its name should be %s\n",
+            path, right);
+    brink_run_destroy(run);
+    brink_plan_destroy(plan);
+    return -1;
+}
+
 // The newest whole one of those from `first` on, which are newest first.
 static int load_newest(const char *dir, char (*names)[NAME], int first, int count,
                        brink_run *run, brink_plan *plan, char *path,
@@ -177,7 +208,7 @@ static int load_newest(const char *dir, char (*names)[NAME], int first, int coun
     int status = -1;
     for (int k = first; k < count && status; k++) {
         snprintf(path, path_size, "%s/%s", dir, names[k]);
-        status = brink_checkpoint_load(path, run, plan, errors);
+        status = load_as_named(path, names[k], run, plan, errors);
     }
     return status;
 }

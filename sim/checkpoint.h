@@ -8,8 +8,9 @@
  */
 #include "snapshot.h"
 
-/** Writes `run` and `plan` into DIR and removes all checkpoints but the last two.
- *  0; -1 with a message to `errors`, the earlier checkpoints untouched. */
+/** Writes `run` and `plan` into DIR and removes the checkpoints older than the
+ *  one before it; newer ones, which were passed over when this run was resumed,
+ *  stay.  0; -1 with a message to `errors`, the earlier checkpoints untouched. */
 int brink_checkpoint_save(const char *dir, const brink_run *run,
                           const brink_plan *plan, FILE *errors);
 
@@ -22,8 +23,9 @@ const char *brink_checkpoint_remedy(int error);
 int brink_checkpoint_load(const char *path, brink_run *run, brink_plan *plan,
                           FILE *errors);
 
-/** Loads the newest whole checkpoint of DIR; damaged ones are named and passed
- * over. Its path is written to `path`.  0; -1 if there is none. */
+/** Loads the newest whole checkpoint of DIR; damaged ones, and those that bear
+ * another's number, are named and passed over. Its path is written to `path`.  0;
+ * -1 if there is none. */
 int brink_checkpoint_resume(const char *dir, brink_run *run, brink_plan *plan,
                             char *path, size_t path_size, FILE *errors);
 

@@ -110,6 +110,66 @@ START_TEST(a_damaged_one_is_named_and_the_one_before_taken)
 }
 END_TEST
 
+/* Found by fuzz/checkpoint_fuzz.c: with the last two damaged a run went on from
+ * the one before them, saved itself, kept what looked like the last two, and
+ * removed itself and all that was whole. */
+START_TEST(damaged_ones_that_are_newer_make_none_superfluous)
+{
+    char folder[64], path[200];
+    brink_run run, loaded;
+    brink_plan p;
+    make_folder(folder);
+    make_run(&run, small_box);
+    save_at(&run, 100, folder);
+    for (int events = 300; events <= 400; events += 100) {
+        snprintf(path, sizeof path, "%s/checkpoint-%020d.brink", folder, events);
+        FILE *file = fopen(path, "wb");
+        fclose(file);
+    }
+    save_at(&run, 200, folder);
+    FILE *errors = listen();
+    ck_assert_int_eq(
+        brink_checkpoint_resume(folder, &loaded, &p, path, sizeof path, errors),
+        0);
+    expect_told(errors, "00300.brink: this checkpoint is refused");
+    ck_assert(same_state(&run, &loaded));
+    ck_assert_int_eq(brink_checkpoint_count(folder), 4); // 100 to 400
+    brink_plan_destroy(&p);
+    brink_run_destroy(&loaded);
+    brink_run_destroy(&run);
+    remove_folder(folder);
+}
+END_TEST
+
+/* Found by fuzz/checkpoint_fuzz.c: one by another name was taken for as new as
+ * that, and for one from before an event that it is not before. */
+START_TEST(one_by_the_name_of_another_is_passed_over)
+{
+    char folder[64], path[200], other[200];
+    brink_run run, loaded;
+    brink_plan p;
+    make_folder(folder);
+    make_run(&run, small_box);
+    save_at(&run, 100, folder);
+    save_at(&run, 200, folder);
+    snprintf(path, sizeof path, "%s/checkpoint-%020d.brink", folder, 200);
+    snprintf(other, sizeof other, "%s/checkpoint-%020d.brink", folder, 150);
+    ck_assert_int_eq(rename(path, other), 0);
+    FILE *errors = listen();
+    ck_assert_int_eq(brink_checkpoint_before(folder, 180, &loaded, &p, path,
+                                             sizeof path, errors),
+                     0);
+    expect_told(errors,
+                "00150.brink: this checkpoint is refused: its name should "
+                "be checkpoint-00000000000000000200.brink");
+    ck_assert_uint_eq(brink_tally_events(&loaded.tally), 100);
+    brink_plan_destroy(&p);
+    brink_run_destroy(&loaded);
+    brink_run_destroy(&run);
+    remove_folder(folder);
+}
+END_TEST
+
 START_TEST(every_truncated_one_is_refused)
 {
     char folder[64], path[200];
@@ -197,6 +257,8 @@ int main(void)
     return RUN_SUITE("checkpoint", 120,
                      the_last_two_are_kept_and_the_newest_is_resumed,
                      a_damaged_one_is_named_and_the_one_before_taken,
+                     damaged_ones_that_are_newer_make_none_superfluous,
+                     one_by_the_name_of_another_is_passed_over,
                      every_truncated_one_is_refused, a_folder_without_any_says_so,
                      where_it_does_not_fit_the_earlier_one_is_untouched,
                      a_folder_that_vanished_is_a_clear_error);

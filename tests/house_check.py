@@ -165,9 +165,29 @@ def check_fuzz_table():
             path = ROOT / f"fuzz/{target}_fuzz.c"
             if not path.exists():
                 fault("fuzz/README.md", f"{name}: there is no fuzz/{target}_fuzz.c")
+    for path in (ROOT / "fuzz").glob("*.*"):
+        if path.suffix in (".options", ".dict") and not path.with_suffix(".c").exists():
+            fault(path, "is of no target")
     targets = {p.stem.removesuffix("_fuzz") for p in (ROOT / "fuzz").glob("*_fuzz.c")}
     for target in sorted(targets - {t for row in table.values() for t in row}):
         fault(f"fuzz/{target}_fuzz.c", "is in no row of fuzz/README.md")
+
+
+def check_planted():
+    """Every planted fault is in the table as it says itself, and can be planted."""
+    said = re.findall(r"^\| (\d\d) (.+) \| `(\w+)` \|$",
+                      (ROOT / "fuzz/README.md").read_text(), re.MULTILINE)
+    there = []
+    for path in sorted((ROOT / "fuzz/planted").glob("*.patch")):
+        text = path.read_text()
+        head = dict(re.findall(r"^(fault|target): (.+)$", text, re.MULTILINE))
+        there.append((path.name[:2], head["fault"], head["target"]))
+        tried = subprocess.run(["patch", "-s", "-p1", "--dry-run", "-f", "-d", str(ROOT)],
+                               input=text, capture_output=True, text=True, check=False)
+        if tried.returncode:
+            fault(path, "cannot be planted in this tree")
+    for name, what, target in sorted(set(said) ^ set(there)):
+        fault("fuzz/README.md", f"{name} ({what}, {target}) is in its table or planted, not both")
 
 
 def check_paths():
@@ -206,6 +226,7 @@ check_top()
 check_readme()
 check_fuzz_and_proofs()
 check_fuzz_table()
+check_planted()
 check_paths()
 check_fast_math_is_refused()
 check_lines()

@@ -26,44 +26,52 @@ PATHS_OF(step_balanced, brink_step_impulse_balanced)
 PATHS_OF(core_balanced, brink_core_impulse_balanced)
 PATHS_OF(rim_balanced, brink_rim_impulse_balanced)
 
-/** The step, the core and the rim one after the other: what they answer and leave
- *  in the velocities. */
+/** Of each impulse: v1, v2, what it answers, a step's virial, what is owed. */
+enum { ALL_IMPULSES = 6, OF_IMPULSE = 9 };
+
+/** All of them, each of the same pair: what they leave and answer. */
 static inline void impulses(int path, const double r[3], double m1, double m2,
-                            double rise, double y[15])
+                            double rise, double y[ALL_IMPULSES][OF_IMPULSE])
 {
     step *const at_step[] = PATHS(brink_step_impulse);
     core *const at_core[] = PATHS(brink_core_impulse);
     rim *const at_rim[] = PATHS(brink_rim_impulse);
-    double *v1 = y, *v2 = y + 3, v3[3], v4[3];
-    memcpy(v3, v1, sizeof v3);
-    memcpy(v4, v2, sizeof v4);
+    step_balanced *const at_step_balanced[] = PATHS(brink_step_impulse_balanced);
+    core_balanced *const at_core_balanced[] = PATHS(brink_core_impulse_balanced);
+    rim_balanced *const at_rim_balanced[] = PATHS(brink_rim_impulse_balanced);
     const enum brink_direction way = rise > 0 ? BRINK_INWARD : BRINK_OUTWARD;
-    y[6] = at_step[path](r, m1, m2, rise, way, v1, v2, &y[7]);
-    y[8] = at_rim[path](r, m1, m2, v1, v2);
-    y[9] = at_core[path](r, m1, m2, v3, v4);
-    for (int k = 0; k < 3; k++)
-        y[10 + k] = v3[k] - v4[k];
-    y[13] = v3[0];
-    y[14] = v4[0];
+    double *v1[ALL_IMPULSES], *v2[ALL_IMPULSES];
+    for (int k = 0; k < ALL_IMPULSES; k++) {
+        v1[k] = y[k];
+        v2[k] = y[k] + 3;
+    }
+    y[0][6] = at_step[path](r, m1, m2, rise, way, v1[0], v2[0], &y[0][7]);
+    y[1][6] = at_core[path](r, m1, m2, v1[1], v2[1]);
+    y[2][6] = at_rim[path](r, m1, m2, v1[2], v2[2]);
+    y[3][6] = at_step_balanced[path](r, m1, m2, rise, way, v1[3], v2[3], &y[3][7],
+                                     &y[3][8]);
+    y[4][6] = at_core_balanced[path](r, m1, m2, v1[4], v2[4], &y[4][8]);
+    y[5][6] = at_rim_balanced[path](r, m1, m2, v1[5], v2[5], &y[5][8]);
 }
 
-/** The same, with an account of energy. */
-static inline void balanced_impulses(int path, const double r[3], double m1,
-                                     double m2, double rise, double y[15])
+/** The first of them to which a path gives other bits than path 0; -1: none. */
+static inline int impulses_differ(int path, const double r[3], double m1,
+                                  double m2, double rise, const double v1[3],
+                                  const double v2[3])
 {
-    step_balanced *const at_step[] = PATHS(brink_step_impulse_balanced);
-    core_balanced *const at_core[] = PATHS(brink_core_impulse_balanced);
-    rim_balanced *const at_rim[] = PATHS(brink_rim_impulse_balanced);
-    double *v1 = y, *v2 = y + 3, v3[3], v4[3];
-    memcpy(v3, v1, sizeof v3);
-    memcpy(v4, v2, sizeof v4);
-    const enum brink_direction way = rise > 0 ? BRINK_INWARD : BRINK_OUTWARD;
-    y[14] = 0x1p-52 * rise;
-    y[6] = at_step[path](r, m1, m2, rise, way, v1, v2, &y[7], &y[14]);
-    y[13] = y[14];
-    y[8] = at_rim[path](r, m1, m2, v1, v2, &y[14]);
-    y[9] = at_core[path](r, m1, m2, v3, v4, &y[13]);
-    for (int k = 0; k < 3; k++)
-        y[10 + k] = v3[k] - v4[k];
+    double y[2][ALL_IMPULSES][OF_IMPULSE] = {{{0}}};
+    for (int n = 0; n < 2; n++) {
+        for (int k = 0; k < ALL_IMPULSES; k++) {
+            memcpy(y[n][k], v1, 3 * sizeof *v1);
+            memcpy(y[n][k] + 3, v2, 3 * sizeof *v2);
+            y[n][k][8] = 0x1p-52 * rise;
+        }
+        impulses(n * path, r, m1, m2, rise, y[n]);
+    }
+    for (int k = 0; k < ALL_IMPULSES; k++)
+        for (int i = 0; i < OF_IMPULSE; i++)
+            if (!same(y[0][k][i], y[1][k][i]))
+                return k;
+    return -1;
 }
 #endif

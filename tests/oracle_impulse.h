@@ -4,6 +4,7 @@
 /** What is conserved at a step, and whether it is crossed, in MPFR: exact, as
  *  oracle.h explains. */
 #include "oracle.h"
+#include <brink/impulse.h>
 
 /** Two particles: their masses and velocities. */
 typedef struct oracle_pair {
@@ -196,6 +197,43 @@ static inline double oracle_virial(const oracle_turn *t, const oracle_pair *p)
     const double virial = mpfr_get_d(x, ORACLE_N);
     mpfr_clears(x, mass, (mpfr_ptr)0);
     return virial;
+}
+
+/** sin^2 of the angle to the tangent as a multiple of BRINK_RIM_ANGLE's, no
+ *  number at relative rest; whether it is less, and whether it goes inward. */
+typedef struct oracle_rim {
+    double times;
+    int is_below, is_inward;
+} oracle_rim;
+
+/** (r.v)^2 and BRINK_RIM_ANGLE^2 r.r v.v, v = v1 - v2. */
+static inline oracle_rim oracle_rim_of(const double r[3], const double v1[3],
+                                       const double v2[3])
+{
+    oracle_rim angle;
+    mpfr_t b, rr, vv, v;
+    mpfr_inits2(ORACLE_BITS, b, rr, vv, v, (mpfr_ptr)0);
+    mpfr_set_zero(b, 1);
+    mpfr_set_zero(rr, 1);
+    mpfr_set_zero(vv, 1);
+    for (int k = 0; k < 3; k++) {
+        oracle_add(b, 1, r[k], v1[k]);
+        oracle_add(b, -1, r[k], v2[k]);
+        oracle_add(rr, 1, r[k], r[k]);
+        mpfr_set_d(v, v1[k], ORACLE_N);
+        mpfr_sub_d(v, v, v2[k], ORACLE_N);
+        mpfr_sqr(v, v, ORACLE_N);
+        mpfr_add(vv, vv, v, ORACLE_N);
+    }
+    angle.is_inward = mpfr_sgn(b) < 0;
+    mpfr_sqr(b, b, ORACLE_N);
+    mpfr_mul(rr, rr, vv, ORACLE_N);
+    mpfr_mul_d(rr, rr, BRINK_RIM_ANGLE * BRINK_RIM_ANGLE, ORACLE_N);
+    angle.is_below = mpfr_cmp(b, rr) < 0;
+    mpfr_div(b, b, rr, ORACLE_N);
+    angle.times = mpfr_get_d(b, ORACLE_N);
+    mpfr_clears(b, rr, vv, v, (mpfr_ptr)0);
+    return angle;
 }
 
 /** The largest kinetic energy of either particle, before or after. */

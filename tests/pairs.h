@@ -167,12 +167,16 @@ static inline void family_edge(stream *s, pair_case *p)
         family_cancelling};
     make[stream_int(s, 0, 4)](s, p);
     int lengths = stream_int(s, -560, -20), times = 0;
-    switch (stream_int(s, 0, 2)) {
+    switch (stream_int(s, 0, 3)) {
     case 0: // sigma^2 v^2, with sigma^2 as small as the fast ways take it
         lengths = stream_int(s, -452, -430);
         times = stream_int(s, -540, -525) - lengths;
         break;
-    case 1: // r v
+    case 1: // sigma^2 alone, beside velocities that make up for it
+        lengths = stream_int(s, -530, -440);
+        times = stream_int(s, 100, 500);
+        break;
+    case 2: // r v
         times = stream_int(s, -1080, -1000) - lengths;
         break;
     default: // r / v

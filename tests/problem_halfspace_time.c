@@ -4,23 +4,36 @@
 #include "pairs.h"
 #include "problems_all.h"
 #include "rivals.h"
+#include "walls.h"
 #include <brink/event_time.h>
+
+enum { SLANTING = PAIR_FAMILIES, FAMILIES };
 
 static const char *family(int k)
 {
-    return pair_families[k].name;
+    return k == SLANTING ? "slanting" : pair_families[k].name;
+}
+
+static void make_of_pairs(int k, stream *s, wall_case *w)
+{
+    pair_case p, q;
+    pair_families[k].make(s, &p);
+    pair_families[k].make(s, &q);
+    memcpy(w->r, p.r, sizeof p.r);
+    memcpy(w->v, p.v, sizeof p.v);
+    memcpy(w->n, q.v, sizeof q.v);
+    memcpy(w->c, q.r, sizeof q.r);
 }
 
 /** r v n c */
 static void make(int k, stream *s, double *x)
 {
-    pair_case p, q;
-    pair_families[k].make(s, &p);
-    pair_families[k].make(s, &q);
-    memcpy(x, p.r, sizeof p.r);
-    memcpy(x + 3, p.v, sizeof p.v);
-    memcpy(x + 6, q.v, sizeof q.v);
-    memcpy(x + 9, q.r, sizeof q.r);
+    wall_case w;
+    if (k == SLANTING)
+        wall_slanting(s, &w);
+    else
+        make_of_pairs(k, s, &w);
+    memcpy(x, &w, sizeof w);
 }
 
 static void solve(const double *x, truth *t)
@@ -76,7 +89,7 @@ const problem problem_halfspace_time = {
              "arrive?",
     .width = 12,
     .outputs = 1,
-    .families = PAIR_FAMILIES,
+    .families = FAMILIES,
     .family = family,
     .make = make,
     .usual = "dilute",

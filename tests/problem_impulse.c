@@ -112,28 +112,9 @@ static void solve_core(const double *x, truth *t)
     t->n = 0;
 }
 
-/** Turned where (r.v)^2 < BRINK_RIM_ANGLE^2 r.r v.v, v = v1 - v2. */
 static void solve_rim(const double *x, truth *t)
 {
-    mpfr_t v, b, rr, vv;
-    mpfr_inits2(ORACLE_BITS, v, b, rr, vv, (mpfr_ptr)0);
-    mpfr_set_zero(b, 1);
-    mpfr_set_zero(rr, 1);
-    mpfr_set_zero(vv, 1);
-    for (int i = 0; i < 3; i++) {
-        oracle_add(b, 1, x[R + i], x[V1 + i]);
-        oracle_add(b, -1, x[R + i], x[V2 + i]);
-        oracle_add(rr, 1, x[R + i], x[R + i]);
-        mpfr_set_d(v, x[V1 + i], ORACLE_N);
-        mpfr_sub_d(v, v, x[V2 + i], ORACLE_N);
-        mpfr_sqr(v, v, ORACLE_N);
-        mpfr_add(vv, vv, v, ORACLE_N);
-    }
-    mpfr_mul(rr, rr, vv, ORACLE_N);
-    mpfr_mul_d(rr, rr, BRINK_RIM_ANGLE * BRINK_RIM_ANGLE, ORACLE_N);
-    mpfr_sqr(b, b, ORACLE_N);
-    t->n = mpfr_cmp(b, rr) < 0;
-    mpfr_clears(v, b, rr, vv, (mpfr_ptr)0);
+    t->n = oracle_rim_of(x + R, x + V1, x + V2).is_below;
 }
 
 static verdict judge_change(const double *x, const truth *t, int n,

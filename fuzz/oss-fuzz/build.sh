@@ -9,11 +9,10 @@ cmake -S . -B "$WORK/build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
 cmake --build "$WORK/build" --target fuzz_targets
 
 mkdir -p "$OUT/lib"
+cp fuzz/*_fuzz.options fuzz/*_fuzz.dict "$OUT/"
 for program in "$WORK"/build/fuzz/*_fuzz; do
     room=$(basename "$program" _fuzz)
     cp "$program" "$OUT/"
-    [ ! -f "fuzz/$room.dict" ] || cp "fuzz/$room.dict" "$OUT/${room}_fuzz.dict"
-    [ ! -f "fuzz/$room.options" ] || cp "fuzz/$room.options" "$OUT/${room}_fuzz.options"
     [ ! -d "fuzz/corpora/$room" ] ||
         zip -q -j "$OUT/${room}_fuzz_seed_corpus.zip" "fuzz/corpora/$room"/*
     # What the machine that runs it may lack; the C library it has.

@@ -1,0 +1,23 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# usage: options.sh libfuzzer|afl TARGET
+#
+# What an engine is told of a target, as words of its command line: how long a case may
+# be, which TARGET_fuzz.options says in OSS-Fuzz's form, or else 256 bytes; and its
+# dictionary, if it has one.
+set -eu
+options=fuzz/$2_fuzz.options
+dictionary=fuzz/$2_fuzz.dict
+longest=256
+[ ! -f "$options" ] || longest=$(sed -n 's/^max_len = //p' "$options")
+case $1 in
+libfuzzer)
+    # Of any length from the beginning: the first bytes choose what the rest is for.
+    echo "-max_len=$longest -len_control=0 -timeout=10 -rss_limit_mb=2048"
+    [ ! -f "$dictionary" ] || echo "-dict=$dictionary"
+    ;;
+afl)
+    echo "-G $longest"
+    [ ! -f "$dictionary" ] || echo "-x $dictionary"
+    ;;
+esac
