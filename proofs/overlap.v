@@ -1,10 +1,10 @@
-(* with: event_time_sums.v *)
+(* with: rounding.v *)
 (* SPDX-License-Identifier: MIT *)
 (* The filters of the signs; what stands before 4u is exact there.  Powers of two are taken out:
    exponents have no bounds here. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import event_time_sums.
+From Brink Require Import rounding.
 Open Scope R_scope.
 
 (* overlap.c, brink_ball_overlap_sign: what the filter answers is the sign of r.r - sigma^2. *)
