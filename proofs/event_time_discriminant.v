@@ -7,12 +7,6 @@ From Flocq Require Import Core.
 From Brink Require Import rounding event_time_sums.
 Open Scope R_scope.
 
-Lemma product x y X Y : - X <= x <= X -> - Y <= y <= Y -> - (X * Y) <= x * y <= X * Y.
-Proof.
-intros HX HY; apply Rabs_le_inv; rewrite Rabs_mult.
-apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; assumption.
-Qed.
-
 (* The discriminant as it is computed: what comes before its last two roundings, *)
 Definition rest_of ah al bh bl ch cl :=
   rnd (2 * bh * bl + rnd (rnd (low (bh * bh) - low (ah * ch)) - rnd (ah * cl + rnd (al * ch)))).
@@ -132,7 +126,8 @@ Theorem certain_discriminant A B C P R ah al bh bl ch cl size t :
     D < 0).
 Proof.
 intros HA HR HP PQ HB HC Ha Ha2 Hb Hb2 Hc Hc2 Hs Ht d D.
-assert (Er := discriminant_error A B C P R ah al bh bl ch cl HA HR HP PQ HB HC Ha Ha2 Hb Hb2 Hc Hc2).
+assert (Er := discriminant_error A B C P R ah al bh bl ch cl HA HR HP PQ HB HC Ha Ha2 Hb Hb2
+  Hc Hc2).
 destruct (size_of_difference A B C P R HA PQ HB HC) as [HQ _].
 cbv zeta in Er; fold d D in Er; set (Q := A * R) in *.
 assert (L : (1 - 9 * u) * Q <= ah * size).
@@ -140,7 +135,8 @@ assert (L : (1 - 9 * u) * Q <= ah * size).
   - replace ((1 - 31 / 10 * u) * A * ((1 - 5 * u) * R))
       with ((1 - 31 / 10 * u) * (1 - 5 * u) * Q) by (unfold Q; ring).
     apply Rmult_le_compat_r; [exact HQ | unfold u; lra].
-  - apply Rmult_le_compat; try (apply Rmult_le_pos; [unfold u; lra | assumption]); unfold u in *; lra. }
+  - apply Rmult_le_compat; try (apply Rmult_le_pos; [unfold u; lra | assumption]);
+      unfold u in *; lra. }
 apply Rabs_le_inv in Er.
 replace (/ 17592186044416 * ah * size) with (/ 17592186044416 * (ah * size)) by ring.
 set (as_ := ah * size) in *; clearbody as_ Q D d; clear - HQ L Er Ht; unfold u in *.

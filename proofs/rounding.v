@@ -52,6 +52,13 @@ Proof.
 apply low_small; generalize (Rle_abs x) (Rle_abs (- x)); rewrite Rabs_Ropp; lra.
 Qed.
 
+(* What is to be nonlinear is a product of what is bounded. *)
+Lemma product x y X Y : - X <= x <= X -> - Y <= y <= Y -> - (X * Y) <= x * y <= X * Y.
+Proof.
+intros HX HY; apply Rabs_le_inv; rewrite Rabs_mult.
+apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; assumption.
+Qed.
+
 (* What two_sum keeps of a difference of two that are near one another. *)
 Lemma exact_difference a b : generic_format radix2 fexp a -> generic_format radix2 fexp b ->
   b / 2 <= a <= 2 * b -> low (a - b) = 0.
@@ -81,4 +88,24 @@ Lemma dot_plain_rel x y z : 0 <= x -> 0 <= y -> 0 <= z ->
 Proof.
 intros; apply Rabs_le_inv; eapply Rle_trans; [apply dot_plain_error |].
 rewrite !Rabs_right by lra; unfold tiny, u; lra.
+Qed.
+
+(* The sum of the sizes of three, themselves rounded. *)
+Definition size_plain x y z := rnd (rnd (Rabs (rnd x) + Rabs (rnd y)) + Rabs (rnd z)).
+
+Lemma size_plain_rel x y z :
+  (1 - 4 * u) * (Rabs x + Rabs y + Rabs z) <= size_plain x y z <=
+  (1 + 4 * u) * (Rabs x + Rabs y + Rabs z).
+Proof.
+assert (A : forall t, (1 - u) * Rabs t <= Rabs (rnd t) <= (1 + u) * Rabs t).
+{ intro t; assert (L := low_own t); rewrite (rounded t); revert L.
+  unfold u, Rabs; repeat destruct Rcase_abs; lra. }
+unfold size_plain; assert (X := A x); assert (Y := A y); assert (Z := A z).
+set (p := Rabs (rnd x)) in *; set (q := Rabs (rnd y)) in *; set (r := Rabs (rnd z)) in *.
+assert (0 <= Rabs x) by apply Rabs_pos; assert (0 <= Rabs y) by apply Rabs_pos.
+assert (0 <= Rabs z) by apply Rabs_pos.
+set (a := Rabs x) in *; set (b := Rabs y) in *; set (c := Rabs z) in *.
+clearbody p q r a b c; clear - X Y Z H H0 H1; unfold u in *.
+round_off (p + q) (g * (a + b)) l1.
+round_off (p + q - l1 + r) (g * (a + b + c)) l2; lra.
 Qed.
