@@ -151,7 +151,8 @@ Theorem c_of_error_near x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
   Rabs (c_of x y z s - (x + y + z - s)) <= 6 * tiny * u * u * R.
 Proof.
 intros Hx Hy Hz Hs R N; unfold R in *; clear R; unfold c_of, tiny, u.
-assert (NN : x + y + z <= 2 * s * (9999999 / 10000000) /\ s <= 2 * (x + y + z) * (9999999 / 10000000))
+assert (NN : x + y + z <= 2 * s * (9999999 / 10000000) /\
+             s <= 2 * (x + y + z) * (9999999 / 10000000))
   by (revert N; unfold Rabs; destruct Rcase_abs; lra); clear N.
 assert (W : low (rnd (rnd (rnd x + rnd y) + rnd z) - rnd s) = 0).
 { apply exact_difference; try (apply generic_format_round; typeclasses eauto).
@@ -195,6 +196,26 @@ rewrite (rounded (rnd (rnd (rnd x + rnd y) + rnd z) - rnd s)), W; clear W.
 round_off x x l1; round_off y y l2; round_off z z l3; round_off s s l4.
 round_off (x - l1 + (y - l2)) (g * (x + y)) l5.
 round_off (x - l1 + (y - l2) - l5 + (z - l3)) (g * (x + y + z)) l6.
+round_off (l1 + l2) (/ 9007199254740992 * (x + y)) m1.
+round_off (l1 + l2 - m1 + l3) (/ 9007199254740992 * (g * (x + y + z))) m2.
+round_off (l5 + l6) (/ 9007199254740992 * (g * (2 * (x + y) + z))) m3.
+round_off (l1 + l2 - m1 + l3 - m2 + (l5 + l6 - m3))
+  (/ 9007199254740992 * (g * g * (3 * (x + y) + 2 * z))) m4.
+round_off (l1 + l2 - m1 + l3 - m2 + (l5 + l6 - m3) - m4 - l4)
+  (/ 9007199254740992 * (g * g * g * (3 * (x + y) + 2 * z + s))) m5.
+bound.
+Qed.
+
+(* And otherwise by that difference's rounding, u of itself. *)
+Theorem near_c_error_large x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
+  let C := x + y + z - s in x + y + z + s <= 4 * Rabs C ->
+  Rabs (near_c x y z s - C) <= 1001 / 1000 * u * Rabs C.
+Proof.
+intros Hx Hy Hz Hs C N; unfold near_c, u; size C q; unfold C in *.
+round_off x x l1; round_off y y l2; round_off z z l3; round_off s s l4.
+round_off (x - l1 + (y - l2)) (g * (x + y)) l5.
+round_off (x - l1 + (y - l2) - l5 + (z - l3)) (g * (x + y + z)) l6.
+round_off (x - l1 + (y - l2) - l5 + (z - l3) - l6 - (s - l4)) (g * q) l7.
 round_off (l1 + l2) (/ 9007199254740992 * (x + y)) m1.
 round_off (l1 + l2 - m1 + l3) (/ 9007199254740992 * (g * (x + y + z))) m2.
 round_off (l5 + l6) (/ 9007199254740992 * (g * (2 * (x + y) + z))) m3.
