@@ -164,7 +164,7 @@ replace (1001 / 1000 * sy * (1001 / 1000 * sy)) with (1002001 / 1000000 * (sy * 
 replace (1001 / 1000 * sz * (1001 / 1000 * sz)) with (1002001 / 1000000 * (sz * sz)) in SZ
   by field.
 assert (A := Rle_0_sqr S0); assert (B := Rle_0_sqr S1); assert (C := Rle_0_sqr S2).
-unfold Rsqr in *
+unfold Rsqr in *.
 set (xx := sx * sx) in *; set (yy := sy * sy) in *; set (zz := sz * sz) in *.
 set (ss := sigma * sigma) in *; set (a := S0 * S0) in *; set (b := S1 * S1) in *.
 set (c := S2 * S2) in *; clearbody xx yy zz ss a b c.
