@@ -8,9 +8,6 @@ From Flocq Require Import Core.
 From Brink Require Import rounding.
 Open Scope R_scope.
 
-Lemma square_le x y : 0 <= y -> x * x <= y * y -> x <= y.
-Proof. intros; apply Rsqr_incr_0_var; assumption. Qed.
-
 (* Where b^2 is more than a part k of A R, the sums' size P is no more than b over its root. *)
 Lemma size_by_b A P R a size b k m t : 0 <= A -> 0 <= R -> 0 <= P -> P * P <= A * R -> 0 <= t ->
   99 / 100 * A <= a -> 99 / 100 * R <= size -> 0 < k -> 0 < m -> 11 / 10 <= k * (m * m) ->
