@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # quadratic.c, roots_of, where a c > 0: with d off by 1.5 ulp of D = h^2 - a c, as
 # quadratic-discriminant has it, 3u at most, the two roots are off by 2.26u before their quotient
-# is rounded, that is by 2.76 ulp after it.  h > 0; with h < 0 all signs change.  Powers of two
-# taken out, and a c > 0: 0 < D < h^2, so w <= 1/2.
+# is rounded, that is by 2.76 ulp after it: BRINK_QUADRATIC_ULP 3.  h > 0; with h < 0 all signs
+# change.  Powers of two taken out, and a c > 0: 0 < D < h^2, so w <= 1/2.
 @d = float<ieee_64, ne>;
 h = d(h_);
 a = d(a_);
