@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 # quadratic.c, discriminant_of and roots_of, where a c < 0, q = -a c: s is off by 2.501u of
 # S = h + sqrt(D), D = h^2 + q, and so is each root before its quotient is rounded: 3.001 ulp
-# after it, BRINK_QUADRATIC_ULP 3 but for 2^-9.  h > 0; with h < 0 all signs change.  qh is q.hi and q - qh is q.lo, exact; z, what is rounded first, is 0,
+# after it, BRINK_QUADRATIC_ULP 3 but for 2^-9.  h > 0; with h < 0 all signs change.  qh is -q.hi and q - qh is -q.lo, exact; z, what is rounded first, is 0,
 # and then f is exact, or a multiple of 2^-620 as h and q are.
+# products: q
 @d = float<ieee_64, ne>;
 h = d(h_);
 q = D - h * h;

@@ -97,6 +97,13 @@ def check_source(claim):
         fault(claim.name, "names no source file")
 
 
+def is_transcribed(file):
+    """Whether a test sets a proof's formulas beside the source."""
+    include = f'#include "transcribed/{file.replace(".", "_")}.h"'
+    return any(include in test.read_text()
+               for test in (ROOT / "tests").glob("*_transcription_test.c"))
+
+
 def check_rows(claims):
     names = [claim.name for claim in claims]
     for claim in claims:
@@ -109,6 +116,8 @@ def check_rows(claims):
             fault(claim.name, f"there is no proofs/{claim.file}")
         if not prove.mutants(claim.name):
             fault(claim.name, f"has no proofs/mutants/{claim.name}.*.patch")
+        if ("compared" in claim.assumptions) != is_transcribed(claim.file):
+            fault(claim.name, "is compared or included in a tests/*_transcription_test.c, not both")
     for path in proofs():
         if path.name not in {claim.file for claim in claims}:
             fault(f"proofs/{path.name}", "is in no row")

@@ -41,6 +41,8 @@ PLANTED = [
      TABLE, "cvc5: `event_time_bits.smt2`", "cvc5: `event_time_bit.smt2`"),
     ("event-time-bits: cvc4 is none of coq, gappa, wp, eva, cvc5, small",
      TABLE, "cvc5: `event_time_bits.smt2`", "cvc4: `event_time_bits.smt2`"),
+    ("exact-told: is compared or included in a tests/*_transcription_test.c, not both",
+     "tests/exact_transcription_test.c", "transcribed/exact_v.h", "transcribed/exact.h"),
     ("proofs/new.v: is in no row",
      "proofs/new.v", None, "Theorem t : True. exact I. Qed.\n"),
     ("proofs/mutants/new.of_nothing.patch: belongs to no row",
@@ -91,7 +93,7 @@ def complaints(tree):
 def copied(source, tree):
     for folder in ("kernels", "sim", "proofs", "tests"):
         shutil.copytree(source / folder, tree / folder, ignore=shutil.ignore_patterns(
-            "scenes", "__pycache__", "*_test.*", "*.svg"))
+            "scenes", "__pycache__", "*_test.sh", "*.svg"))
     shutil.copy(source / "README.md", tree)
 
 

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A proof's transcription as C, so that a test can set it beside the source it was written from.
+
+Where a proof is about formulas written down again, a claim rests on their being the source's.
+Here its file itself is read, a script of Gappa or cvc5 or Coq's definitions: what it defines of
+doubles becomes functions of C, FILE_EXTENSION_NAME, of what it leaves open.  An operation
+there is the one operation here; nothing is simplified, and what is no formula of doubles left out.
+
+usage: transcribe.py PROOF HEADER
+"""
+import pathlib
+import re
+import sys
+from fractions import Fraction
+
+from transcribe_infix import Formula
+from transcribe_reals import BUILT_IN, Code, Definition, Double, Pair, Refused
+from transcribe_smt import Script
+
+PARAMETER = {"double": ("double {}", lambda name: Double(name)),
+             "dd": ("dd {}", lambda name: Pair(Double(f"{name}.hi"), Double(f"{name}.lo"))),
+             "product": ("product {}",
+                         lambda name: ("*", Double(f"{name}.x"), Double(f"{name}.y")))}
+
+
+class Open:
+    """A name that a file leaves open: a parameter of the functions that it is in."""
+
+    def __init__(self, name, kind="double"):
+        self.declared = PARAMETER[kind][0].format(name)
+        self.value = PARAMETER[kind][1](name)
+
+
+def each_rounded(tree):
+    """Gappa's `x d= tree`: every operation in it is rounded."""
+    if not isinstance(tree, tuple):
+        return tree
+    first = 2 if tree[0] == "call" else 1
+    return ("call", "d", (*tree[:first], *[each_rounded(part) for part in tree[first:]]))
+
+
+def power(text):
+    """Gappa's number 3b-53."""
+    digits, exponent = (text + "b0").split("b")[:2]
+    return float(Fraction(digits) * Fraction(2) ** int(exponent)).hex()
+
+
+def products_of(text):
+    """The names that a file says stand for exact products of doubles."""
+    return " ".join(re.findall(r"products: ([\w ]+)", text)).split()
+
+
+def gappa(text):
+    """Definitions, and the range that is assumed of what is open."""
+    products = products_of(text)
+    text = re.sub(r"#.*", "", text)
+    script, _, goal = text.partition("{")
+    definitions, ranges = {}, {}
+    for name, rounds, formula in re.findall(r"(?<!@)\b(\w+) (d?)= ([^;]+);", script):
+        tree = Formula(formula).whole()
+        source = tree[2] if tree[0] == "call" and tree[1] == "d" else None
+        if name in products:
+            definitions[name] = Open(name, "product")
+        elif isinstance(source, str) and source not in definitions:  # d(x): any double
+            definitions[name] = Open(name)
+            assumed = re.search(rf"(-?)\|?\b(?:{name}|{source})\b\|? in \[(\S+), (\S+)\]", goal)
+            if assumed:
+                low, high = power(assumed[2]), power(assumed[3])
+                ranges[name] = (f"-{high}", f"-{low}") if assumed[1] else (low, high)
+        else:
+            definitions[name] = Definition((), each_rounded(tree) if rounds else tree)
+    return definitions, ranges
+
+
+def coq(text):
+    """Definitions, those of a section of its variables, and the kinds of their parameters."""
+    products = products_of(text)
+    text = re.sub(r"\(\*.*?\*\)", "", text, flags=re.DOTALL)
+    definitions, kinds = {}, {}
+    for what, said in re.findall(r"^(Variables|Definition|Let) (.*?)\.\s", text,
+                                 re.DOTALL | re.MULTILINE):
+        if what == "Variables":
+            definitions.update((name, Open(name)) for name in said.split(" :")[0].split())
+            continue
+        head, _, body = said.partition(":=")
+        name, _, rest = head.strip().partition(" ")
+        parameters = {}
+        for names, kind, bare in re.findall(r"\(([\w ]+) : (\w+)\)|(\w+)", rest.split(" : R")[0]
+                                            if "(" not in rest else rest):
+            for parameter in (names or bare).split():
+                parameters[parameter] = ("dd" if kind == "dd" else
+                                         "product" if parameter in products else "double")
+        try:
+            definitions[name] = Definition(tuple(parameters), Formula(body).whole())
+            kinds[name] = parameters
+        except SyntaxError:
+            continue  # of integers, or a type
+    return definitions, kinds
+
+
+def function(name, prefix, definitions, kinds):
+    """A definition as C."""
+    definition = definitions[name]
+    code = Code(definitions)
+    mine = {p: Open(p, kind) for p, kind in kinds.items()}
+    code.known = {n: o.value for n, o in definitions.items() if isinstance(o, Open)}
+    value = code.value(definition.tree, {p: o.value for p, o in mine.items()})
+    kind, answer = code.answer(value)
+    body = "\n    ".join([*code.lines_for(answer), f"return {answer};"])
+    free = [o.declared for n, o in definitions.items()
+            if isinstance(o, Open) and re.search(rf"\b{n}\b", body)]
+    declared = ", ".join(free + [o.declared for o in mine.values()])
+    return f"static inline {kind} {prefix}_{name}({declared or 'void'})\n{{\n    {body}\n}}\n"
+
+
+def functions(own, prefix, definitions, kinds):
+    for name in own:
+        if isinstance(definitions[name], Definition) and name not in BUILT_IN:
+            try:
+                yield function(name, prefix, definitions, kinds.get(name, {}))
+            except Refused as reason:
+                yield f"// {name}: {reason}\n"
+
+
+def transcribed(proof, prefix):
+    text = proof.read_text()
+    if proof.suffix == ".smt2":
+        return Script(text, prefix).c
+    if proof.suffix == ".g":
+        definitions, ranges = gappa(text)
+        limits = [f"static const double {prefix}_{name}_range[2] = {{{low}, {high}}};\n"
+                  for name, (low, high) in ranges.items()]
+        return limits + list(functions(definitions, prefix, definitions, {}))
+    definitions = {}
+    for other in re.findall(r"with: ([\w.]+)", text):
+        definitions.update(coq((proof.parent / other).read_text())[0])
+    own, kinds = coq(text)
+    definitions.update(own)
+    return list(functions(own, prefix, definitions, kinds))
+
+
+def main():
+    proof, header = map(pathlib.Path, sys.argv[1:3])
+    prefix = proof.name.replace(".", "_")
+    parts = [f"// From proofs/{proof.name}, by tests/transcribe.py.\n",
+             f"#ifndef {prefix.upper()}\n#define {prefix.upper()}\n#include \"transcription.h\"\n"]
+    header.parent.mkdir(parents=True, exist_ok=True)
+    header.write_text("\n".join([*parts, *transcribed(proof, prefix), "#endif\n"]))
+
+
+if __name__ == "__main__":
+    main()
