@@ -7,7 +7,8 @@ usage: prove.py [--build FOLDER] [CLAIM...]
 The table there is the list: a row a claim, its third column the tool and its file.  Each file
 is handed to its tool (tools.py) on this tree, and on a copy with a fault in it for every
 patch proofs/mutants/CLAIM.*.patch, which must not be proved; as many at once as there are
-processors.  A line a claim; status 1 if one is open, or a mutant is proved, or a claim has no
+processors.  A patch that says `with: OPTIONS` first has those in place of the file's, to have no
+more proved again than what it changes.  A line a claim; status 1 if one is open, or a mutant is proved, or a claim has no
 mutant.
 """
 import argparse
@@ -54,11 +55,13 @@ def mutants(name):
     return sorted((TREE / "proofs/mutants").glob(f"{name}.*.patch"))
 
 
-def prove(tree, build, tool, file):
+def prove(tree, build, tool, file, patch):
     """Whether it is proved, and what the tool said."""
     build.mkdir(parents=True, exist_ok=True)
+    path = tree / "proofs" / file
+    options = patch and tools.options_of(patch) or tools.options_of(path)
     try:
-        return tools.TOOLS[tool](tree, build, tree / "proofs" / file)
+        return tools.TOOLS[tool](tree, build, path, options)
     except subprocess.TimeoutExpired as late:
         return False, str(late)
 
@@ -79,7 +82,7 @@ def judge(job):
     tool, file = claims_of_it[0].tool, claims_of_it[0].file
     begun = time.monotonic()
     tree = TREE if patch is None else mutated(build, patch)
-    proved, said = prove(tree, build, tool, file)
+    proved, said = prove(tree, build, tool, file, patch)
     (build / "said").write_text(said)
     took = f"({tool}, {time.monotonic() - begun:.0f} s)"
     if patch is None:

@@ -116,6 +116,9 @@ def check_rows(claims):
             fault(claim.name, f"there is no proofs/{claim.file}")
         if not prove.mutants(claim.name):
             fault(claim.name, f"has no proofs/mutants/{claim.name}.*.patch")
+        for other in re.findall(r"`(\w+-[\w-]+)`", claim.assumptions):
+            if other not in names:
+                fault(claim.name, f"there is no claim {other}")
         if ("compared" in claim.assumptions) != is_transcribed(claim.file):
             fault(claim.name, "is compared or included in a tests/*_transcription_test.c, not both")
     for path in proofs():

@@ -4,7 +4,7 @@
 #include "transcribed/quadratic_two_signs_g.h"
 #include "transcribed/quadratic_v.h"
 
-#define BRINK_PATH transcribed    // its functions beside the library's
+#define BRINK_PATH transcribed // its functions beside the library's
 // NOLINTNEXTLINE(bugprone-suspicious-include): for what is static there
 #include "../kernels/quadratic.c"
 

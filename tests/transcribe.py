@@ -7,7 +7,7 @@ Here its file itself is read, a script of Gappa or cvc5 or Coq's definitions: wh
 doubles becomes functions of C, FILE_EXTENSION_NAME, of what it leaves open.  An operation
 there is the one operation here; nothing is simplified, and what is no formula of doubles left out.
 
-usage: transcribe.py PROOF HEADER
+usage: transcribe.py PROOF HEADER [acsl]   # acsl: logic functions, for links by WP
 """
 import pathlib
 import re
@@ -15,21 +15,31 @@ import sys
 from fractions import Fraction
 
 from transcribe_infix import Formula
-from transcribe_reals import BUILT_IN, Code, Definition, Double, Pair, Refused
+from transcribe_reals import ACSL, BUILT_IN, C, Code, Definition, Double, Pair, Refused
 from transcribe_smt import Script
 
-PARAMETER = {"double": ("double {}", lambda name: Double(name)),
-             "dd": ("dd {}", lambda name: Pair(Double(f"{name}.hi"), Double(f"{name}.lo"))),
-             "product": ("product {}",
-                         lambda name: ("*", Double(f"{name}.x"), Double(f"{name}.y")))}
+PARTS = {"double": (), "dd": ("hi", "lo"), "product": ("x", "y")}
 
 
 class Open:
     """A name that a file leaves open: a parameter of the functions that it is in."""
 
     def __init__(self, name, kind="double"):
-        self.declared = PARAMETER[kind][0].format(name)
-        self.value = PARAMETER[kind][1](name)
+        self.name = name
+        self.kind = kind
+
+    def declared(self, language):
+        if language is C:
+            return f"{self.kind} {self.name}"
+        parts = PARTS[self.kind]
+        return ", ".join(f"double {self.name}_{part}" for part in parts) or f"double {self.name}"
+
+    def value(self, language):
+        parts = [Double(f"{self.name}{'.' if language is C else '_'}{part}")
+                 for part in PARTS[self.kind]]
+        if self.kind == "dd":
+            return Pair(*parts)
+        return ("*", *parts) if self.kind == "product" else Double(self.name)
 
 
 def each_rounded(tree):
@@ -99,54 +109,66 @@ def coq(text):
     return definitions, kinds
 
 
-def function(name, prefix, definitions, kinds):
-    """A definition as C."""
+def function(name, prefix, definitions, kinds, language):
+    """A definition in a language."""
     definition = definitions[name]
-    code = Code(definitions)
-    mine = {p: Open(p, kind) for p, kind in kinds.items()}
-    code.known = {n: o.value for n, o in definitions.items() if isinstance(o, Open)}
-    value = code.value(definition.tree, {p: o.value for p, o in mine.items()})
+    code = Code(definitions, language)
+    mine = [Open(p, kind) for p, kind in kinds.items()]
+    code.known = {n: o.value(language) for n, o in definitions.items() if isinstance(o, Open)}
+    value = code.value(definition.tree, {p.name: p.value(language) for p in mine})
     kind, answer = code.answer(value)
-    body = "\n    ".join([*code.lines_for(answer), f"return {answer};"])
-    free = [o.declared for n, o in definitions.items()
-            if isinstance(o, Open) and re.search(rf"\b{n}\b", body)]
-    declared = ", ".join(free + [o.declared for o in mine.values()])
-    return f"static inline {kind} {prefix}_{name}({declared or 'void'})\n{{\n    {body}\n}}\n"
+    lines = code.lines_for(" ".join(answer))
+    free = [o for n, o in definitions.items()
+            if isinstance(o, Open) and re.search(rf"\b{n}\b", " ".join([*lines, *answer]))]
+    declared = ", ".join(o.declared(language) for o in free + mine)
+    if language is C:
+        last = f"return {answer[0]};" if len(answer) == 1 else f"return (dd){{{', '.join(answer)}}};"
+        body = "\n    ".join([*lines, last])
+        return f"static inline {kind} {prefix}_{name}({declared or 'void'})\n{{\n    {body}\n}}\n"
+    if not declared:
+        raise Refused("a constant")
+    what = "predicate" if kind == "int" else "logic double"
+    return "".join(f"/*@ {what} {prefix}_{name}{part}({declared}) =\n  @     "
+                   + "\n  @     ".join([*code.lines_for(term), f"{term};"]) + "\n  @*/\n"
+                   for part, term in zip(("_hi", "_lo") if kind == "dd" else ("",), answer))
 
 
-def functions(own, prefix, definitions, kinds):
+def functions(own, prefix, definitions, kinds, language):
     for name in own:
         if isinstance(definitions[name], Definition) and name not in BUILT_IN:
             try:
-                yield function(name, prefix, definitions, kinds.get(name, {}))
+                yield function(name, prefix, definitions, kinds.get(name, {}), language)
             except Refused as reason:
                 yield f"// {name}: {reason}\n"
 
 
-def transcribed(proof, prefix):
+def transcribed(proof, prefix, language):
     text = proof.read_text()
     if proof.suffix == ".smt2":
         return Script(text, prefix).c
     if proof.suffix == ".g":
         definitions, ranges = gappa(text)
         limits = [f"static const double {prefix}_{name}_range[2] = {{{low}, {high}}};\n"
-                  for name, (low, high) in ranges.items()]
-        return limits + list(functions(definitions, prefix, definitions, {}))
+                  for name, (low, high) in ranges.items() if language is C]
+        return limits + list(functions(definitions, prefix, definitions, {}, language))
     definitions = {}
     for other in re.findall(r"with: ([\w.]+)", text):
         definitions.update(coq((proof.parent / other).read_text())[0])
     own, kinds = coq(text)
     definitions.update(own)
-    return list(functions(own, prefix, definitions, kinds))
+    return list(functions(own, prefix, definitions, kinds, language))
 
 
 def main():
     proof, header = map(pathlib.Path, sys.argv[1:3])
+    language = ACSL if sys.argv[3:] == ["acsl"] else C
     prefix = proof.name.replace(".", "_")
     parts = [f"// From proofs/{proof.name}, by tests/transcribe.py.\n",
-             f"#ifndef {prefix.upper()}\n#define {prefix.upper()}\n#include \"transcription.h\"\n"]
+             f"#ifndef {prefix.upper()}\n#define {prefix.upper()}\n"]
+    if language is C:
+        parts.append('#include "transcription.h"\n')
     header.parent.mkdir(parents=True, exist_ok=True)
-    header.write_text("\n".join([*parts, *transcribed(proof, prefix), "#endif\n"]))
+    header.write_text("\n".join([*parts, *transcribed(proof, prefix, language), "#endif\n"]))
 
 
 if __name__ == "__main__":

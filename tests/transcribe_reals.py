@@ -46,19 +46,18 @@ def is_power(x):
         part & (part - 1) == 0 for part in (x.numerator, x.denominator))
 
 
-def as_double(x):
-    """x where it is a double without being rounded, of any exponent; None."""
-    if isinstance(x, Double):
-        return x
-    if isinstance(x, Fraction):
-        return Double(float(x).hex()) if Fraction(float(x)) == x else None
-    if isinstance(x, tuple) and x[0] in ("neg", "abs") and (y := as_double(x[1])):
-        return Double(f"-{y.c}" if x[0] == "neg" else f"fabs({y.c})")
-    if isinstance(x, tuple) and x[0] == "*":
-        for power, y in (x[1:], x[:0:-1]):
-            if is_power(power) and (y := as_double(y)):
-                return Double(f"({as_double(power).c} * {y.c})")
-    return None
+# How it is written: C, and ACSL for its links (proofs/link_wp.h).
+C = {"+": "{} + {}", "-": "{} - {}", "*": "{} * {}", "/": "{} / {}", "neg": "-{}",
+     "scaled": "({} * {})", "sqrt": "sqrt({})", "abs": "fabs({})", "fma": "fma({}, {}, {})",
+     "low sum": "rest_of_sum({}, {})", "low product": "rest_of_product({}, {})",
+     "number": "{}", "line": "const double {} = {};",
+     "=": "{} == {}", "<": "{} < {}"}
+ACSL = {"+": "\\add_double({}, {})", "-": "\\sub_double({}, {})", "*": "\\mul_double({}, {})",
+        "/": "\\div_double({}, {})", "neg": "\\neg_double({})", "scaled": "\\mul_double({}, {})",
+        "sqrt": "root_of({}).x", "abs": "size_of({}).x", "fma": "fma_of({}, {}, {}).x",
+        "low product": "fma_of({0}, {1}, \\neg_double(\\mul_double({0}, {1}))).x",
+        "number": "(double){}", "line": "\\let {} = {};",
+        "=": "\\eq_double({}, {})", "<": "\\lt_double({}, {})"}
 
 
 def negative(x):
@@ -76,30 +75,50 @@ def combined(operator, x, y):
     return ("+", x, negative(y)) if operator == "-" else (operator, x, y)
 
 
-def factors_of(x):
-    """Of an exact product of doubles, its sign with the first; None."""
-    if isinstance(x, tuple) and x[0] == "neg" and (factors := factors_of(x[1])):
-        return Double(f"-{factors[0].c}"), factors[1]
-    if isinstance(x, tuple) and x[0] == "*":
-        factors = as_double(x[1]), as_double(x[2])
-        return factors if all(factors) else None
-    return None
-
-
 class Code:
     """The lines of a function's body, as its formula is gone through."""
 
-    def __init__(self, definitions):
+    def __init__(self, definitions, language):
         self.definitions = definitions
+        self.language = language
         self.known = {}  # what those come to that are no functions
         self.lines = []
         self.rounds = {}  # a name of the lines, and what it is the rounding of
 
-    def named(self, c, of=None):
+    def written(self, operation, *parts):
+        if operation not in self.language:
+            raise Refused(operation)
+        return Double(self.language[operation].format(*[part.c for part in parts]))
+
+    def named(self, of, operation, *parts):
         name = Double(f"x{len(self.lines)}")
-        self.lines.append(f"const double {name.c} = {c};")
+        done = self.written(operation, *parts)
+        self.lines.append(self.written("line", name, done).c)
         self.rounds[name] = of
         return name
+
+    def double(self, x):
+        """x where it is a double without being rounded, of any exponent; None."""
+        if isinstance(x, Double):
+            return x
+        if isinstance(x, Fraction):
+            return self.written("number", Double(float(x).hex())) if float(x) == x else None
+        if isinstance(x, tuple) and x[0] in ("neg", "abs") and (y := self.double(x[1])):
+            return self.written(x[0], y)
+        if isinstance(x, tuple) and x[0] == "*":
+            for power, y in (x[1:], x[:0:-1]):
+                if is_power(power) and (y := self.double(y)):
+                    return self.written("scaled", self.double(power), y)
+        return None
+
+    def factors(self, x):
+        """Of an exact product of doubles, its sign with the first; None."""
+        if isinstance(x, tuple) and x[0] == "neg" and (factors := self.factors(x[1])):
+            return self.written("neg", factors[0]), factors[1]
+        if isinstance(x, tuple) and x[0] == "*":
+            factors = self.double(x[1]), self.double(x[2])
+            return factors if all(factors) else None
+        return None
 
     def lines_for(self, answer):
         """Those that an answer needs."""
@@ -110,33 +129,35 @@ class Code:
         return kept
 
     def rounded(self, x):
-        if double := as_double(x):
+        if double := self.double(x):
             return double
         if not isinstance(x, tuple):
             raise Refused(f"rnd {x}")
         if x[0] == "neg":
-            return Double(f"-{self.rounded(x[1]).c}")
-        y, z = as_double(x[1]), as_double(x[-1])
+            return self.written("neg", self.rounded(x[1]))
+        y, z = self.double(x[1]), self.double(x[-1])
         if x[0] == "sqrt" and y:
-            return self.named(f"sqrt({y.c})")
+            return self.named(x, "sqrt", y)
+        if x[0] == "+" and y and z and isinstance(x[2], tuple) and x[2][0] == "neg":
+            return self.named(x, "-", y, self.double(x[2][1]))
         if x[0] in "+*/" and y and z:
-            return self.named(f"{y.c} {x[0]} {z.c}", x)
+            return self.named(x, x[0], y, z)
         if x[0] == "+":
-            for factors, summand in (factors_of(x[1]), z), (factors_of(x[2]), y):
+            for factors, summand in (self.factors(x[1]), z), (self.factors(x[2]), y):
                 if factors and summand:
-                    return self.named(f"fma({factors[0].c}, {factors[1].c}, {summand.c})")
+                    return self.named(x, "fma", *factors, summand)
         raise Refused(f"rnd {x}")
 
     def low(self, x):
         """x - rnd x."""
-        if as_double(x):
+        if self.double(x):
             return Fraction(0)
-        if factors := factors_of(x):
-            return self.named(f"rest_of_product({factors[0].c}, {factors[1].c})")
+        if factors := self.factors(x):
+            return self.named(None, "low product", *factors)
         if isinstance(x, tuple) and x[0] == "+":
-            y, z = as_double(x[1]), as_double(x[2])
+            y, z = self.double(x[1]), self.double(x[2])
             if y and z:
-                return self.named(f"rest_of_sum({y.c}, {z.c})")
+                return self.named(None, "low sum", y, z)
         raise Refused(f"low {x}")
 
     def value(self, x, local):
@@ -166,12 +187,11 @@ class Code:
             self.known[name] = self.value(definition.tree, {})
         return self.known[name]
 
-    @staticmethod
-    def compared(relation, x, y):
-        x, y = as_double(x), as_double(y)
+    def compared(self, relation, x, y):
+        x, y = self.double(x), self.double(y)
         if not (x and y):
             raise Refused("a comparison of what is not rounded")
-        return Truth(f"{x.c} {'==' if relation == '=' else relation} {y.c}")
+        return Truth(self.written(relation, x, y).c)
 
     def call(self, function, arguments):
         if function in ("rnd", "d"):
@@ -191,15 +211,14 @@ class Code:
             raise Refused(str(function))
         return self.value(definition.tree, dict(zip(definition.parameters, arguments)))
 
-    @staticmethod
-    def answer(x):
-        """C's type of it, and how it is written there."""
+    def answer(self, x):
+        """Its type in C, and what it is in the language: of a pair, both."""
         if isinstance(x, Truth):
-            return "int", x.c
-        if double := as_double(x):
-            return "double", double.c
-        if isinstance(x, tuple) and x[0] == "+" and as_double(x[1]) and as_double(x[2]):
-            x = Pair(as_double(x[1]), as_double(x[2]))
+            return "int", [x.c]
+        if double := self.double(x):
+            return "double", [double.c]
+        if isinstance(x, tuple) and x[0] == "+" and self.double(x[1]) and self.double(x[2]):
+            x = Pair(self.double(x[1]), self.double(x[2]))
         if isinstance(x, Pair):
-            return "dd", f"(dd){{{x.hi.c}, {x.lo.c}}}"
+            return "dd", [x.hi.c, x.lo.c]
         raise Refused("it is not rounded")
