@@ -56,7 +56,7 @@ def mutants(name):
 
 
 def prove(tree, build, tool, file, patch):
-    """Whether it is proved, and what the tool said."""
+    """Whether it is proved, None if it could not be read, and what the tool said."""
     build.mkdir(parents=True, exist_ok=True)
     path = tree / "proofs" / file
     options = patch and tools.options_of(patch) or tools.options_of(path)
@@ -64,6 +64,8 @@ def prove(tree, build, tool, file, patch):
         return tools.TOOLS[tool](tree, build, path, options)
     except subprocess.TimeoutExpired as late:
         return False, str(late)
+    except tools.Unread as broken:
+        return None, str(broken)
 
 
 def mutated(build, patch):
@@ -85,10 +87,11 @@ def judge(job):
     proved, said = prove(tree, build, tool, file, patch)
     (build / "said").write_text(said)
     took = f"({tool}, {time.monotonic() - begun:.0f} s)"
+    good = proved is (patch is None)
     if patch is None:
-        good, word = proved, "proved" if proved else "OPEN"
+        word = "proved" if proved else "OPEN"
     else:
-        good, word = not proved, "PROVED, AND IS FALSE" if proved else "rejected"
+        word = {True: "PROVED, AND IS FALSE", False: "rejected", None: "NOT READ"}[proved]
     names = [patch.stem] if patch else [claim.name for claim in claims_of_it]
     see = "" if good else f": see {build / 'said'}"
     return good, [f"{word:<8} {name} {took}{see}" for name in names]

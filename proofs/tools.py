@@ -2,7 +2,8 @@
 """How each tool is asked, and what of its answer counts as a proof.
 
 A tool is a function of the tree, a folder of its own to work in, the proof's file and options;
-it gives whether all is proved, and what was said.  What options a file needs it says itself, in
+it gives whether all is proved, and what was said; what it cannot even read is Unread, so that no
+mutant is taken for rejected that is only badly written.  What options a file needs it says itself, in
 a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`); a mutant may say others.
 """
 import pathlib
@@ -14,6 +15,10 @@ import sys
 
 TRANSCRIBE = pathlib.Path(__file__).parent.parent / "tests/transcribe.py"
 LONGEST = 900  # seconds, for one proof
+
+
+class Unread(Exception):
+    """What a tool said of what is no proof, good or bad."""
 
 
 def options_of(file):
@@ -30,6 +35,7 @@ def run(arguments, folder):
 
 
 # The real numbers of Coq's library, and classical logic.
+NO_COQ = re.compile("Syntax error|not found in the current environment|Unable to locate library")
 AXIOMS = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
           "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
 
@@ -43,6 +49,8 @@ def coq(tree, build, file, options):
     for part in [tree / "proofs" / p for p in options] + [file]:
         (build / part.name).write_text(part.read_text() + (asked if part == file else ""))
         status, said = run(["coqc", "-w", "-ambiguous-paths", "-Q", ".", "Brink", part.name], build)
+        if NO_COQ.search(said):
+            raise Unread(said)
         if status:
             return False, f"{part.name}: {said}"
     rests_on = set(re.findall(r"^([\w.]+)(?= :|$)", said.partition("Axioms:")[2], re.MULTILINE))
@@ -70,6 +78,8 @@ def gappa(tree, build, file, options):
     del tree
     shutil.copy(file, build)
     status, said = run(["gappa", *options, file.name], build)
+    if status and "some properties were not satisfied" not in said:
+        raise Unread(said)
     if status or "?" in said:
         return False, said
     certificate = subprocess.run(["gappa", "-Bcoq", *options, file.name], cwd=build,
@@ -104,7 +114,9 @@ def wp(tree, build, file, options):
          "-warn-special-float", "none", portable(tree, build),
          *options, file], build)
     goals = re.findall(r"Proved goals: +(\d+) / (\d+)", said)
-    return status == 0 and bool(goals) and goals[-1][0] == goals[-1][1] != "0", said
+    if status or not goals or goals[-1][1] == "0":
+        raise Unread(said)
+    return goals[-1][0] == goals[-1][1], said
 
 
 def eva(tree, build, file, options):
@@ -112,16 +124,20 @@ def eva(tree, build, file, options):
     status, said = run(
         ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none", portable(tree, build),
          *options, file], build)
+    if status or "logical properties reached" not in said:
+        raise Unread(said)
     whole = "0 alarms generated" in said and "100% of the logical properties" in said
-    return status == 0 and whole, said
+    return whole, said
 
 
 def cvc5(tree, build, file, options):
     """Unsatisfiable, bit by bit: there is no input that breaks the claim."""
     del tree
     status, said = run(["cvc5", "--fp-exp", *options, file], build)
-    answers = said.split()
-    return status == 0 and bool(answers) and set(answers) == {"unsat"}, said
+    answers = set(said.split())
+    if status or not answers or not answers <= {"sat", "unsat", "unknown"}:
+        raise Unread(said)
+    return answers == {"unsat"}, said
 
 
 def small(tree, build, file, options):
@@ -136,11 +152,11 @@ def small(tree, build, file, options):
         status, said = run(["gcc", "-std=c17", *common, "-c", tree / source, "-o", objects[-1]],
                            build)
         if status:
-            return False, said
+            raise Unread(said)
     status, said = run(["g++", "-std=gnu++20", "-Wno-class-memaccess", *common, file, *objects,
                         "-o", program], build)
     if status:
-        return False, said
+        raise Unread(said)
     status, more = run([program], build)
     return status == 0, said + more
 

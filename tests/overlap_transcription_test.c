@@ -8,20 +8,19 @@
 
 enum { ASKED = 2 }; // no sign
 
-int __wrap_brink_ball_overlap_sign_at(const double r[3], const double v[3],
-                                      double sigma, double t);
-int __wrap_brink_ball_overlap_rate_sign_at(const double r[3], const double v[3],
-                                           double t);
+typedef int sign_later(const double r[3], const double v[3], double sigma,
+                       double t);
+typedef int rate_sign_later(const double r[3], const double v[3], double t);
+sign_later asked_sign __asm__("__wrap_brink_ball_overlap_sign_at");
+rate_sign_later asked_rate __asm__("__wrap_brink_ball_overlap_rate_sign_at");
 
-int __wrap_brink_ball_overlap_sign_at(const double r[3], const double v[3],
-                                      double sigma, double t)
+int asked_sign(const double r[3], const double v[3], double sigma, double t)
 {
     (void)r, (void)v, (void)sigma, (void)t;
     return ASKED;
 }
 
-int __wrap_brink_ball_overlap_rate_sign_at(const double r[3], const double v[3],
-                                           double t)
+int asked_rate(const double r[3], const double v[3], double t)
 {
     (void)r, (void)v, (void)t;
     return ASKED;
