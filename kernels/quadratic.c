@@ -154,12 +154,21 @@ static BRINK_APART int roots_exact(double a, double b, double c, double *x0,
  * The same with the low parts carried along.  2, 0, or -1 where a root cannot be
  * rounded with certainty or something is not in range.
  *
- * root is to within 2.2u that of d, and its residual d - root^2 off by 14u^2 of
- * the size h^2 + |a c|: what is left of d behind t and rest is 3u^2, and 7u^2 and
- * 4u^2 are the roundings.  With it the root is off by 7u^2 size / sqrt(d) <= 7u^2
- * 2^20 sqrt(size); s is no less than sqrt(size / 2), so s / a and c / s are off
- * by 2^-82 at most.  The inverses may be off by some u: the residuals of their
- * products make that good.
+ * root is to within 2.2u that of d; s is no less than sqrt(size / 2).
+ *
+ *     d > 2^-40 size:  the residual d - root^2 is off by 14u^2 size: what is
+ *              left of d behind t and rest is 3u^2, and 7u^2 and 4u^2 are the
+ *              roundings.  With it the root is off by 7u^2 size / sqrt(d), s by
+ *              2^-82 of itself
+ *     d less:  h^2 and a c agree in 39 bits, so t is exact; and so is rest, as
+ *              p.lo and q.lo are together not more than 2^53 of the last places
+ *              of the products, whose multiples they are (where a power of 4 is
+ *              between h^2 and a c, p.lo is all but 0).  Then t.hi - root^2 is
+ *              -rest, a double, but for 4.4u d, and not rounded by more than
+ *              that: the root is off by 2.2u sqrt(d), s by 2^-71 of itself
+ *
+ * and s / a and c / s by as much.  The inverses may be off by some u: the
+ * residuals of their products make that good.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)
 {
@@ -168,7 +177,7 @@ BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1
     if (is_rootless(h, q))
         return 0;
     double d = fma(h, h, -q.hi) - q.lo, size = fma(h, h, fabs(q.hi));
-    if (!are_moderate(size, fabs(a), fabs(c)) || !(d > 0x1p-40 * size))
+    if (!are_moderate(size, fabs(a), fabs(c)) || !(d > 0))
         return -1;
     double root = copysign(sqrt(d), h);
     dd p = two_prod(h, h), t = two_sum(p.hi, -q.hi);

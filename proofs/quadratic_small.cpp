@@ -35,14 +35,11 @@ extern "C" {
 #undef brink_quadratic_roots
 #undef brink_quadratic_roots_cr
 
-/** 2^-40 of roots_told and lanes_are_told's 2^-27, 53 - 27 = 26 bits behind the last place, in p
- *  bits: where d > size / 4 the root is off by 7u^2 2 sqrt(size), s by 20u^2 of itself, and a
- *  margin of 1/2 tells what is less than u / 4 of x: that is true of 6 bits and
+/** lanes_are_told's 2^-27, 53 - 27 = 26 bits behind the last place, in p bits: a
+ *  margin of 1/2 tells what is less than u / 4 of x, and with 6 bits s is not off by
  *  more.  (With fewer, what is to first order in u is not small, and it is not looked at.) */
 static double constant(double c)
 {
-    if (c == 0x1p-40)
-        return 0.25;
     if (c == 1 + 0x1p-27)
         return 1.5;
     static const double plain[] = {0, 0.5, -0.5, 1, 2, -1};

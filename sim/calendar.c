@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "calendar.h"
+#include "array.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,10 +18,10 @@ int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
     while (c->days < days && c->days < UINT32_C(1) << 30)
         c->days *= 2;
     c->days_a_time = c->days / year; // powers of two: exact
-    c->entry = malloc(slots * sizeof *c->entry);
-    c->filed = malloc((slots + 1) * sizeof *c->filed);
-    c->heap = malloc(slots * sizeof *c->heap);
-    c->first = malloc((c->days + 1) * sizeof *c->first);
+    c->entry = brink_array_create(slots, sizeof *c->entry);
+    c->filed = brink_array_create((size_t)slots + 1, sizeof *c->filed);
+    c->heap = brink_array_create(slots, sizeof *c->heap);
+    c->first = brink_array_create((size_t)c->days + 1, sizeof *c->first);
     if (!c->entry || !c->filed || !c->heap || !c->first) {
         brink_calendar_destroy(c);
         return -1;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "array.h"
 #include "cells_block.h"
 #include <math.h>
 #include <stdlib.h>
@@ -110,8 +111,8 @@ int brink_cells_create(brink_cells *c, const brink_system *system, double reach)
     choose(c, system, reach);
     // Each further bucket comes after a full one, which no other comes after.
     const uint32_t further = c->particles / BRINK_BUCKET;
-    c->bucket = calloc((size_t)c->total + further, sizeof *c->bucket);
-    c->cell = malloc(c->particles * sizeof *c->cell);
+    c->bucket = brink_array_create((size_t)c->total + further, sizeof *c->bucket);
+    c->cell = brink_array_create(c->particles, sizeof *c->cell);
     if (!c->bucket || !c->cell || build_walls(c)) {
         brink_cells_destroy(c);
         return -1;

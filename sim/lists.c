@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lists.h"
+#include "array.h"
 #include <stdlib.h>
 #include <string.h>
 
 int brink_lists_create(brink_lists *l, uint32_t lists, size_t size)
 {
     *l = (brink_lists){.lists = lists, .size = (uint32_t)size};
-    l->list = calloc(lists, sizeof *l->list);
+    l->list = brink_array_create(lists, sizeof *l->list);
     return l->list ? 0 : -1;
 }
 

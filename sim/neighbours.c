@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "neighbours.h"
+#include "array.h"
 #include <brink/event_time.h>
 #include <math.h>
 #include <stdlib.h>
@@ -65,8 +66,8 @@ int brink_neighbours_create(brink_neighbours *n, brink_cells *cells,
     if (!(radius > 0))
         return 0;
     const size_t kinds = (size_t)system->species_count;
-    n->home = malloc(system->count * sizeof *n->home);
-    n->mark = calloc(system->count, 1);
+    n->home = brink_array_create(system->count, sizeof *n->home);
+    n->mark = brink_array_create(system->count, 1);
     n->near = malloc(kinds * kinds * sizeof *n->near);
     if (!n->home || !n->mark || !n->near ||
         brink_lists_create(&n->who, system->count, sizeof(uint32_t))) {

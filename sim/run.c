@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run.h"
+#include "array.h"
 #include "run_ahead.h"
 #include "run_meeting.h"
 #include "run_predict.h"
@@ -235,7 +236,7 @@ int brink_run_assemble(brink_run *run, brink_system *system, enum brink_tier tie
     memset(system, 0, sizeof *system);
     run->tier = tier;
     const uint32_t n = run->system.count;
-    run->is_partner = calloc(n, 1);
+    run->is_partner = brink_array_create(n, 1);
     // A year is as long as a particle takes to cross a cell or two (see
     // brink_kinetic_year), so that a day has an event or a few.
     const double radius = brink_neighbours_radius(&run->system);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "system.h"
+#include "array.h"
 #include "sum.h"
 #include <math.h>
 #include <stdlib.h>
@@ -44,14 +45,12 @@ int brink_system_create(brink_system *s, int dimensions, const double length[3],
         s->length[a] = length[a];
         s->unit[a] = ldexp(length[a], -64);
     }
-    const size_t bytes = (size_t)count * sizeof *s->particle;
-    s->particle = aligned_alloc(sizeof *s->particle, bytes);
+    s->particle = brink_array_create(count, sizeof *s->particle);
     s->species = malloc((size_t)species_count * sizeof *species);
     if (!s->particle || !s->species || copy_potentials(s, potential)) {
         brink_system_destroy(s);
         return -1;
     }
-    memset(s->particle, 0, bytes);
     memcpy(s->species, species, (size_t)species_count * sizeof *species);
     return 0;
 }

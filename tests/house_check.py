@@ -26,6 +26,7 @@ FLOORS = """
     cells calendar states
     system
     clock sum lists wall
+    array
     event_time impulse
     step
     overlap quadratic
@@ -39,6 +40,11 @@ ROOT = pathlib.Path(sys.argv[1])
 CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
 HEADER_ONLY = {"exact", "lanes", "path", "sum"}
 LONGEST_LINE = 82
+TOP = set("""
+    .ci .clang-format .clang-tidy .gitignore
+    CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md
+    cmake fuzz kernels proofs run sim tests
+""".split())
 faults = []
 
 
@@ -72,6 +78,14 @@ def check_includes(path):
         theirs = room_of(include)
         if theirs not in (None, mine) and ROOMS[theirs] <= ROOMS[mine]:
             fault(path, f"includes {include}.h, which does not lie below it")
+
+
+def check_top():
+    """What lies at the top is in the list of it: nothing that a tool left behind."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True)
+    top = {line.split("/")[0] for line in listed.stdout.splitlines()}
+    for name in sorted(top - TOP):
+        fault(name, "does not belong at the top")
 
 
 def exists(folder, pattern):
@@ -189,6 +203,7 @@ def check_lines():
 def main():
     check_rooms("kernels")
     check_rooms("sim")
+    check_top()
     check_readme()
     check_fuzz_and_proofs()
     check_fuzz_table()

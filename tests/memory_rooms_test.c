@@ -34,6 +34,15 @@ static int make_states(void)
     return status;
 }
 
+static int make_lists(void)
+{
+    brink_lists l;
+    const int status = brink_lists_create(&l, 7, 8);
+    if (status == 0)
+        brink_lists_destroy(&l);
+    return status;
+}
+
 static int make_calendar(void)
 {
     brink_calendar c;
@@ -55,6 +64,7 @@ static int make_cells(void)
 START_TEST(who_is_refused_memory_says_so_and_keeps_none)
 {
     make_system(&sample, square_well);
+    ck_assert_int_eq(all_refused(make_lists), 1);
     ck_assert_int_eq(all_refused(make_states), 2); // counts; lists
     ck_assert_int_eq(all_refused(make_calendar),
                      4);                          // entries, places, heap, days
@@ -64,6 +74,33 @@ START_TEST(who_is_refused_memory_says_so_and_keeps_none)
 END_TEST
 
 // A list refused to grow is as it was.
+START_TEST(a_list_that_finds_no_memory_is_as_it_was)
+{
+    brink_lists l;
+    ck_assert_int_eq(brink_lists_create(&l, 2, sizeof(int)), 0);
+    for (int n = 0; n < 40; n++) {
+        ration = 0;
+        const int status = brink_lists_make_room(&l, 1, 1);
+        const int was_refused = ration < 0;
+        ration = -1;
+        ck_assert_int_eq(status, was_refused ? -1 : 0);
+        for (int k = 0; k < n; k++)
+            ck_assert_int_eq(((int *)brink_lists_items(&l, 1))[k], k);
+        ck_assert_int_eq(brink_lists_make_room(&l, 1, 1), 0);
+        *(int *)brink_lists_add(&l, 1) = n;
+    }
+    while (l.list[1].count > 1) { // one that may not shrink keeps what it has
+        ration = 0;
+        brink_lists_remove(&l, 1, l.list[1].count - 1);
+        ration = -1;
+        ck_assert_uint_ge(l.list[1].room, 40);
+    }
+    brink_lists_destroy(&l);
+    ck_assert_ptr_null(l.list);
+    ck_assert_uint_eq(l.lists, 0);
+}
+END_TEST
+
 START_TEST(a_level_that_finds_no_memory_is_not_set)
 {
     brink_states s;
@@ -117,6 +154,7 @@ int main(void)
 {
     return RUN_SUITE("memory_rooms", 60,
                      who_is_refused_memory_says_so_and_keeps_none,
+                     a_list_that_finds_no_memory_is_as_it_was,
                      a_level_that_finds_no_memory_is_not_set,
                      a_run_that_finds_no_memory_is_not_begun);
 }

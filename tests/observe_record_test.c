@@ -145,9 +145,15 @@ static double mayer_moment(double t, double inside)
 // g(r) = e^{-u/kT} (1 + rho g1(r) + ...), where g1 is the integral of f(s) f(t)
 // over all places at s from the one and t from the other: in those coordinates
 // 2 pi / r times f(s) s ds f(t) t dt over |r - s| < t < r + s.
+//
+// By midpoints of steps h = 5e-4, none across a jump of f(s).  Where r + s or
+// r - s passes a jump of f(t), four times at most, the slope of what is summed
+// jumps by up to 7 for inside <= e, which costs h^2 / 8 each; else its second
+// derivative is below 26, which costs h^2 / 24 times 1.5.  2 pi (9e-7 + 4e-7) is
+// less than 1e-5, and of that g has a hundredth.
 static double first_order(double r, double inside)
 {
-    enum { STEPS = 3000 }; // each inside one piece; midpoints are good to 1e-7
+    enum { STEPS = 3000 };
     double sum = 0;
     for (int k = 0; k < STEPS; k++) {
         const double s = 1.5 * (k + 0.5) / STEPS;

@@ -5,6 +5,7 @@
  * Memory that runs out, at any allocation one likes.  The linker's --wrap puts
  * what is below between the program and the C library: see tests/CMakeLists.txt.
  */
+#include <errno.h>
 #include <stdlib.h>
 
 static long ration = -1; // allocations until one is refused; below 0: none is
@@ -14,10 +15,14 @@ void *real_malloc(size_t size) __asm__("__real_malloc");
 void *real_calloc(size_t n, size_t size) __asm__("__real_calloc");
 void *real_realloc(void *p, size_t size) __asm__("__real_realloc");
 char *real_strdup(const char *text) __asm__("__real_strdup");
+int real_posix_memalign(void **p, size_t alignment,
+                        size_t size) __asm__("__real_posix_memalign");
 void *rationed_malloc(size_t size) __asm__("__wrap_malloc");
 void *rationed_calloc(size_t n, size_t size) __asm__("__wrap_calloc");
 void *rationed_realloc(void *p, size_t size) __asm__("__wrap_realloc");
 char *rationed_strdup(const char *text) __asm__("__wrap_strdup");
+int rationed_posix_memalign(void **p, size_t alignment,
+                            size_t size) __asm__("__wrap_posix_memalign");
 
 static int is_refused(void)
 {
@@ -42,6 +47,11 @@ void *rationed_realloc(void *p, size_t size)
 char *rationed_strdup(const char *text)
 {
     return is_refused() ? NULL : real_strdup(text);
+}
+
+int rationed_posix_memalign(void **p, size_t alignment, size_t size)
+{
+    return is_refused() ? ENOMEM : real_posix_memalign(p, alignment, size);
 }
 
 /** What something answers, the allocation after `n` others being refused, and
