@@ -8,8 +8,8 @@ The table there is the list: a row a claim, its third column the tool and its fi
 is handed to its tool (tools.py) on this tree, and on a copy with a fault in it for every
 patch proofs/mutants/CLAIM.*.patch, which must not be proved; as many at once as there are
 processors.  A patch that says `with: OPTIONS` first has those in place of the file's, to have no
-more proved again than what it changes.  A line a claim; status 1 if one is open, or a mutant is proved, or a claim has no
-mutant.
+more proved again than what it changes.  A line a claim; status 1 if one is open, or a mutant is
+not rejected, or a claim has none.
 """
 import argparse
 import concurrent.futures
@@ -102,7 +102,8 @@ def jobs_of(chosen, build):
     proofs = {}
     for claim in chosen:
         proofs.setdefault((claim.tool, claim.file), []).append(claim)
-    jobs = [(int(rows[0].seconds), (rows, None, build / file)) for (_, file), rows in proofs.items()]
+    jobs = [(int(rows[0].seconds), (rows, None, build / file))
+            for (_, file), rows in proofs.items()]
     jobs += [(int(claim.seconds), ([claim], patch, build / patch.stem))
              for claim in chosen for patch in mutants(claim.name)]
     return [job for _, job in sorted(jobs, key=lambda job: -job[0])]

@@ -2,9 +2,10 @@
 """How each tool is asked, and what of its answer counts as a proof.
 
 A tool is a function of the tree, a folder of its own to work in, the proof's file and options;
-it gives whether all is proved, and what was said; what it cannot even read is Unread, so that no
-mutant is taken for rejected that is only badly written.  What options a file needs it says itself, in
-a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`); a mutant may say others.
+it gives whether all is proved, and what was said; what it cannot even read is Unread, so that
+no mutant is taken for rejected that is only badly written.  What options a file needs it says
+itself, in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`); a mutant may say
+others.
 """
 import pathlib
 import re
@@ -122,8 +123,8 @@ def wp(tree, build, file, options):
 def eva(tree, build, file, options):
     """No alarm from Frama-C's Eva, and every assertion valid."""
     status, said = run(
-        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none", portable(tree, build),
-         *options, file], build)
+        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none",
+         portable(tree, build), *options, file], build)
     if status or "logical properties reached" not in said:
         raise Unread(said)
     whole = "0 alarms generated" in said and "100% of the logical properties" in said

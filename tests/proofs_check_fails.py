@@ -29,7 +29,8 @@ PLANTED = [
      TABLE, "(BRINK_EVENT_TIME_GAP 8)", "(BRINK_EVENT_TIME_GAP 8, BRINK_EVENT_TIME_GAPS 8)"),
     ("proofs/event_time_meeting.g: names BRINK_EVENT_TIME_ULP 9, which is 8",
      "proofs/event_time_meeting.g", "BRINK_EVENT_TIME_ULP 8", "BRINK_EVENT_TIME_ULP 9"),
-    ("proofs/event_time_meeting.g: does not name BRINK_EVENT_TIME_ULP, which event-time-meeting does",
+    ("proofs/event_time_meeting.g: does not name BRINK_EVENT_TIME_ULP, "
+     "which event-time-meeting does",
      "proofs/event_time_meeting.g", "BRINK_EVENT_TIME_ULP 8", "8 ulp"),
     ("step-states: there is no kernels/steps.c",
      TABLE, "`kernels/step.c`: all of it", "`kernels/steps.c`: all of it"),

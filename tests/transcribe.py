@@ -4,8 +4,8 @@
 
 Where a proof is about formulas written down again, a claim rests on their being the source's.
 Here its file itself is read, a script of Gappa or cvc5 or Coq's definitions: what it defines of
-doubles becomes functions of C, FILE_EXTENSION_NAME, of what it leaves open.  An operation
-there is the one operation here; nothing is simplified, and what is no formula of doubles left out.
+doubles becomes functions of C, FILE_EXTENSION_NAME, of what it leaves open.  A rounding there
+is one operation here, in the same order; what is no formula of doubles is left out.
 
 usage: transcribe.py PROOF HEADER [acsl]   # acsl: logic functions, for links by WP
 """
@@ -28,18 +28,25 @@ class Open:
         self.name = name
         self.kind = kind
 
+    def doubles(self, language):
+        """What it is made of."""
+        between = "." if language is C else "_"
+        return [self.name + between + part for part in PARTS[self.kind]] or [self.name]
+
     def declared(self, language):
         if language is C:
             return f"{self.kind} {self.name}"
-        parts = PARTS[self.kind]
-        return ", ".join(f"double {self.name}_{part}" for part in parts) or f"double {self.name}"
+        return ", ".join(f"double {double}" for double in self.doubles(language))
 
     def value(self, language):
-        parts = [Double(f"{self.name}{'.' if language is C else '_'}{part}")
-                 for part in PARTS[self.kind]]
+        parts = [Double(double) for double in self.doubles(language)]
         if self.kind == "dd":
             return Pair(*parts)
-        return ("*", *parts) if self.kind == "product" else Double(self.name)
+        return ("*", *parts) if self.kind == "product" else parts[0]
+
+    def is_in(self, text, language):
+        return any(re.search(rf"\b{re.escape(double)}\b", text)
+                   for double in self.doubles(language))
 
 
 def each_rounded(tree):
@@ -95,9 +102,9 @@ def coq(text):
             continue
         head, _, body = said.partition(":=")
         name, _, rest = head.strip().partition(" ")
+        rest = re.sub(r":[^()]*$", "", rest)  # the type of it all
         parameters = {}
-        for names, kind, bare in re.findall(r"\(([\w ]+) : (\w+)\)|(\w+)", rest.split(" : R")[0]
-                                            if "(" not in rest else rest):
+        for names, kind, bare in re.findall(r"\(([\w ]+) : (\w+)\)|(\w+)", rest):
             for parameter in (names or bare).split():
                 parameters[parameter] = ("dd" if kind == "dd" else
                                          "product" if parameter in products else "double")
@@ -118,13 +125,14 @@ def function(name, prefix, definitions, kinds, language):
     value = code.value(definition.tree, {p.name: p.value(language) for p in mine})
     kind, answer = code.answer(value)
     lines = code.lines_for(" ".join(answer))
-    free = [o for n, o in definitions.items()
-            if isinstance(o, Open) and re.search(rf"\b{n}\b", " ".join([*lines, *answer]))]
+    text = " ".join([*lines, *answer])
+    free = [o for o in definitions.values() if isinstance(o, Open) and o.is_in(text, language)]
     declared = ", ".join(o.declared(language) for o in free + mine)
     if language is C:
-        last = f"return {answer[0]};" if len(answer) == 1 else f"return (dd){{{', '.join(answer)}}};"
-        body = "\n    ".join([*lines, last])
-        return f"static inline {kind} {prefix}_{name}({declared or 'void'})\n{{\n    {body}\n}}\n"
+        result = f"(dd){{{', '.join(answer)}}}" if kind == "dd" else answer[0]
+        body = "\n    ".join([*lines, f"return {result};"])
+        return (f"static inline {kind} {prefix}_{name}({declared or 'void'})\n"
+                f"{{\n    {body}\n}}\n")
     if not declared:
         raise Refused("a constant")
     what = "predicate" if kind == "int" else "logic double"
