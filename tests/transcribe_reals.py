@@ -65,6 +65,7 @@ def negative(x):
 
 
 BUILT_IN = {"rnd", "low"}  # whatever a file makes them of
+OF_ONE = {"rnd", "d", "low", "Rabs", "sqrt", "hi", "lo", "pow"}
 OF_NUMBERS = {"+": lambda x, y: x + y, "-": lambda x, y: x - y,
               "*": lambda x, y: x * y, "/": lambda x, y: x / y}
 
@@ -102,7 +103,8 @@ class Code:
         if isinstance(x, Double):
             return x
         if isinstance(x, Fraction):
-            return self.written("number", Double(float(x).hex())) if float(x) == x else None
+            is_one = abs(x) < 2 ** 1023 and float(x) == x
+            return self.written("number", Double(float(x).hex())) if is_one else None
         if isinstance(x, tuple) and x[0] in ("neg", "abs") and (y := self.double(x[1])):
             return self.written(x[0], y)
         if isinstance(x, tuple) and x[0] == "*":
@@ -194,6 +196,8 @@ class Code:
         return Truth(self.written(relation, x, y).c)
 
     def call(self, function, arguments):
+        if function in OF_ONE and len(arguments) != 1:
+            raise Refused(function)
         if function in ("rnd", "d"):
             return self.rounded(*arguments)
         if function == "low":
