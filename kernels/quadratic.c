@@ -17,14 +17,17 @@ BRINK_INLINE void in_order(double x, double y, double *x0, double *x1)
  * and d = h^2 - a c.
  *
  * The error, with w = sqrt(d) / |s|: d's is halved by the root, which adds 1u,
- * all times w; the sum adds 1u; the quotient half an ulp.
+ * all times w; the sum adds 1u.
  *
- *     a c > 0: d = (h^2 - q.hi) - q.lo, Kahan's way, is off by 2u, so its sign is
- *              right; w <= 1/2: at most 2u before the quotient
+ *     a c > 0: d = (h^2 - q.hi) - q.lo, Kahan's way, is off by 1.5 ulp, 3u at
+ *              most, so its sign is right; w <= 1/2: at most 2.25u
  *     a c < 0: d = (h^2 - q.lo) - q.hi is off by u (k^2 + 1), k = |h| / sqrt(d)
  *              < 1, w = 1 / (1 + k): u (1.5 + k^2 / 2) / (1 + k) + u <= 2.5u
  *
- * and 2.5u are at most 2.5 ulp: 3 in all.
+ * 2.5u are at most 2.5 ulp, and the quotient is rounded by half an ulp: 3 in all.
+ * Where that is across a power of two, by a whole ulp of the root's, the root is
+ * within 1 ulp of the power: a quotient of doubles is not as near to it, unless
+ * it is the power (proofs/quadratic_roots.v).
  */
 BRINK_INLINE double discriminant_of(double h, dd q)
 {

@@ -1,52 +1,14 @@
+(* with: rounding.v *)
 (* SPDX-License-Identifier: MIT *)
 (* What rounding takes from the kernels' sums of products, as their comments have it: 3u, 7u^2,
    11u^2 and 6u^2.  x, y, z, s below are the exact products; what two_sum and two_prod leave
    behind is what it is meant to be, a - rnd a.  Powers of two are taken out: exponents have no
    bounds here.  First order: u^2 (1 + 2^-40), not u^2. *)
 (* products: x y z s *)
-From Coq Require Import Reals ZArith Lra.
-From Flocq Require Import Core Relative Sterbenz.
+From Coq Require Import Reals Lra.
+From Flocq Require Import Core.
+From Brink Require Export rounding.
 Open Scope R_scope.
-
-Definition u := / 9007199254740992. (* 2^-53 *)
-Definition fexp := FLX_exp 53.
-Definition rnd := round radix2 fexp ZnearestE.
-Definition low x := x - rnd x.
-Definition tiny := 1 + / 1099511627776. (* 1 + 2^-40 *)
-
-Local Instance precision : Prec_gt_0 53. Proof. now red. Qed.
-
-(* A number of at most m in size is rounded by at most u m. *)
-Lemma low_small x m : - m <= x <= m -> - (u * m) <= low x <= u * m.
-Proof.
-intros H.
-assert (E := relative_error_N_FLX radix2 53 precision (fun n => negb (Z.even n)) x).
-fold fexp in E; fold rnd in E; change (round radix2 fexp (Znearest _) x) with (rnd x) in E.
-assert (U : / 2 * bpow radix2 (- (53) + 1) = u) by (unfold u; simpl; lra).
-rewrite U in E.
-assert (A : Rabs x <= m) by (apply Rabs_le; lra).
-assert (B : Rabs (low x) <= u * m).
-{ unfold low; rewrite Rabs_minus_sym; eapply Rle_trans; [exact E |].
-  apply Rmult_le_compat_l; [unfold u; lra | exact A]. }
-apply Rabs_le_inv in B; lra.
-Qed.
-
-Lemma rounded x : rnd x = x - low x. Proof. unfold low; ring. Qed.
-
-(* Names what the rounding of e loses, which is no more than u m. *)
-Ltac round_off e m l := let H := fresh in let P := fresh in
-  assert (P : - (m) <= e <= m) by lra; assert (H := low_small e m P); unfold u in H;
-  rewrite ?(rounded e); set (l := low e) in *; clearbody l; clear P.
-
-(* Names |x|. *)
-Ltac size x p := let H := fresh in
-  assert (H := conj (Rle_abs x) (Rle_abs (- x))); rewrite Rabs_Ropp in H;
-  set (p := Rabs x) in *; clearbody p.
-
-Ltac bound := apply Rabs_le; lra.
-
-(* A little more than 1: of what was rounded a few times. *)
-Notation g := (35184372088833 / 35184372088832). (* 1 + 2^-45 *)
 
 (* event_time_sums.h, dot_rounded: 3u of the sum of the sizes. *)
 Definition dot_rounded x y z := rnd (x + rnd (y + rnd z)).
@@ -59,31 +21,6 @@ round_off z r l1.
 round_off (y + (z - l1)) (g * (q + r)) l2.
 round_off (x + (y + (z - l1) - l2)) (g * (p + q + r)) l3.
 bound.
-Qed.
-
-(* The same without fma, for the signs of overlap.c. *)
-Definition dot_plain x y z := rnd (rnd (rnd x + rnd y) + rnd z).
-
-Theorem dot_plain_error x y z :
-  Rabs (dot_plain x y z - (x + y + z)) <= 3 * tiny * u * (Rabs x + Rabs y + Rabs z).
-Proof.
-unfold dot_plain, tiny, u; size x p; size y q; size z r.
-round_off x p l1; round_off y q l2; round_off z r l3.
-round_off (x - l1 + (y - l2)) (g * (p + q)) l4.
-round_off (x - l1 + (y - l2) - l4 + (z - l3)) (g * (p + q + r)) l5.
-bound.
-Qed.
-
-Lemma dot_plain_rel x y z : 0 <= x -> 0 <= y -> 0 <= z ->
-  - (3 * tiny * u * (x + y + z)) <= dot_plain x y z - (x + y + z) <= 3 * tiny * u * (x + y + z).
-Proof.
-intros; apply Rabs_le_inv; eapply Rle_trans; [apply dot_plain_error |].
-rewrite !Rabs_right by lra; unfold tiny, u; lra.
-Qed.
-
-Lemma low_own x : - (u * Rabs x) <= low x <= u * Rabs x.
-Proof.
-apply low_small; generalize (Rle_abs x) (Rle_abs (- x)); rewrite Rabs_Ropp; lra.
 Qed.
 
 (* event_time_sums.h, dot_of: 7u^2 of the sum of the sizes, of what two_sum and two_prod leave. *)
@@ -215,22 +152,13 @@ unfold u in *; lra.
 Qed.
 
 (* sums_of again: 6u^2 R where |c| < R / 3. *)
-Lemma exact_difference a b : generic_format radix2 fexp a -> generic_format radix2 fexp b ->
-  b / 2 <= a <= 2 * b -> low (a - b) = 0.
-Proof.
-intros Fa Fb H; unfold low, rnd; rewrite round_generic; [ring | typeclasses eauto |].
-apply sterbenz; try assumption; typeclasses eauto.
-Qed.
-
-Lemma rnd_rnd x : rnd (rnd x) = rnd x.
-Proof. apply round_generic; [| apply generic_format_round]; typeclasses eauto. Qed.
-
 Theorem c_of_error_near x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
   let R := x + y + z + s in 3 * Rabs (x + y + z - s) <= (1 - / 1000000) * R ->
   Rabs (c_of x y z s - (x + y + z - s)) <= 6 * tiny * u * u * R.
 Proof.
 intros Hx Hy Hz Hs R N; unfold R in *; clear R; unfold c_of, tiny, u.
-assert (NN : x + y + z <= 2 * s * (9999999 / 10000000) /\ s <= 2 * (x + y + z) * (9999999 / 10000000))
+assert (NN : x + y + z <= 2 * s * (9999999 / 10000000) /\
+             s <= 2 * (x + y + z) * (9999999 / 10000000))
   by (revert N; unfold Rabs; destruct Rcase_abs; lra); clear N.
 assert (W : low (rnd (rnd (rnd x + rnd y) + rnd z) - rnd s) = 0).
 { apply exact_difference; try (apply generic_format_round; typeclasses eauto).
@@ -274,6 +202,26 @@ rewrite (rounded (rnd (rnd (rnd x + rnd y) + rnd z) - rnd s)), W; clear W.
 round_off x x l1; round_off y y l2; round_off z z l3; round_off s s l4.
 round_off (x - l1 + (y - l2)) (g * (x + y)) l5.
 round_off (x - l1 + (y - l2) - l5 + (z - l3)) (g * (x + y + z)) l6.
+round_off (l1 + l2) (/ 9007199254740992 * (x + y)) m1.
+round_off (l1 + l2 - m1 + l3) (/ 9007199254740992 * (g * (x + y + z))) m2.
+round_off (l5 + l6) (/ 9007199254740992 * (g * (2 * (x + y) + z))) m3.
+round_off (l1 + l2 - m1 + l3 - m2 + (l5 + l6 - m3))
+  (/ 9007199254740992 * (g * g * (3 * (x + y) + 2 * z))) m4.
+round_off (l1 + l2 - m1 + l3 - m2 + (l5 + l6 - m3) - m4 - l4)
+  (/ 9007199254740992 * (g * g * g * (3 * (x + y) + 2 * z + s))) m5.
+bound.
+Qed.
+
+(* And otherwise by that difference's rounding, u of itself. *)
+Theorem near_c_error_large x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
+  let C := x + y + z - s in x + y + z + s <= 4 * Rabs C ->
+  Rabs (near_c x y z s - C) <= 1001 / 1000 * u * Rabs C.
+Proof.
+intros Hx Hy Hz Hs C N; unfold near_c, u; size C q; unfold C in *.
+round_off x x l1; round_off y y l2; round_off z z l3; round_off s s l4.
+round_off (x - l1 + (y - l2)) (g * (x + y)) l5.
+round_off (x - l1 + (y - l2) - l5 + (z - l3)) (g * (x + y + z)) l6.
+round_off (x - l1 + (y - l2) - l5 + (z - l3) - l6 - (s - l4)) (g * q) l7.
 round_off (l1 + l2) (/ 9007199254740992 * (x + y)) m1.
 round_off (l1 + l2 - m1 + l3) (/ 9007199254740992 * (g * (x + y + z))) m2.
 round_off (l5 + l6) (/ 9007199254740992 * (g * (2 * (x + y) + z))) m3.

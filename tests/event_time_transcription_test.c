@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What Coq, Gappa and cvc5 are told event_time_*.h do is what they do.
 #include "transcribed/event_time_bits_smt2.h"
+#include "transcribed/event_time_discriminant_v.h"
 #include "transcribed/event_time_far_g.h"
+#include "transcribed/event_time_fast_v.h"
 #include "transcribed/event_time_meeting_g.h"
 #include "transcribed/event_time_meeting_smt2.h"
 #include "transcribed/event_time_parting_smt2.h"
 #include "transcribed/event_time_sums_v.h"
+#include <brink/event_time_fast.h>
 #include <brink/event_time_meeting.h>
 #include <brink/event_time_parting.h>
 
@@ -120,6 +123,39 @@ START_TEST(the_sums_are_those_of_the_proof)
 }
 END_TEST
 
+START_TEST(the_discriminant_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        const vectors x = any_vectors(&s);
+        const sums m = sums_of(x.r, x.v, x.sigma);
+        SAME(event_time_discriminant_v_discriminant_of(m.a.hi, m.a.lo, m.b.hi,
+                                                       m.b.lo, m.c.hi, m.c.lo),
+             discriminant_of(&m).d, NUMBERS(x));
+    }
+}
+END_TEST
+
+/** The numbers that the fast times are made of. */
+START_TEST(the_outline_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        const vectors x = any_vectors(&s);
+        const double *r = x.r, *v = x.v;
+        const outline o = outline_of(r, v, x.sigma);
+        SAME(event_time_fast_v_a(v[0], v[1], v[2]), o.a, NUMBERS(x));
+        SAME(event_time_fast_v_b(r[0], r[1], r[2], v[0], v[1], v[2]), o.b,
+             NUMBERS(x));
+        SAME(event_time_fast_v_w(r[0], r[1], r[2], v[0], v[1], v[2]), o.w,
+             NUMBERS(x));
+        SAME(event_time_fast_v_minus_d(r[0], r[1], r[2], v[0], v[1], v[2],
+                                       x.sigma),
+             o.minus_d, NUMBERS(x));
+    }
+}
+END_TEST
+
 /** Most of them at the margin, where either may be said. */
 START_TEST(the_filters_are_those_of_the_proof)
 {
@@ -159,10 +195,11 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("event_time, transcribed", 120,
-                     the_time_of_meeting_is_that_of_the_scripts,
-                     the_time_of_parting_is_that_of_the_scripts,
-                     the_sums_are_those_of_the_proof,
-                     the_filters_are_those_of_the_proof,
-                     bits_mean_what_the_script_says);
+    return RUN_SUITE(
+        "event_time, transcribed", 120,
+        the_time_of_meeting_is_that_of_the_scripts,
+        the_time_of_parting_is_that_of_the_scripts,
+        the_sums_are_those_of_the_proof, the_discriminant_is_that_of_the_proof,
+        the_outline_is_that_of_the_proof, the_filters_are_those_of_the_proof,
+        bits_mean_what_the_script_says);
 }

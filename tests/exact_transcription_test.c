@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told exact.h does is what it does.
+#include "transcribed/exact_dd_v.h"
 #include "transcribed/exact_v.h"
 
 /** Another for a sum with x: -x or nearly, or up to 2^60 larger or smaller. */
@@ -17,6 +18,8 @@ START_TEST(sums_are_those_of_the_proof)
         const double a = stream_scaled(&s, -900, 900), b = beside(&s, a);
         SAME_DD(exact_v_two_sum(a, b), two_sum(a, b), a, b);
         SAME_DD(exact_v_fast_two_sum(a, b), fast_two_sum(a, b), a, b);
+        const dd x = {a, a * stream_scaled(&s, -60, -53)};
+        SAME_DD(exact_dd_v_dd_add_d(x, b), dd_add_d(x, b), x.hi, x.lo, b);
     }
 }
 END_TEST

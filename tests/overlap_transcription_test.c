@@ -2,8 +2,8 @@
 // What Coq is told the filters of overlap.c do is what they do.  The linker puts
 // what is below in the place of the signs at a later time, which a filter asks
 // where it is not certain: see CMakeLists.txt.
-#include "transcribed/event_time_sums_v.h"
 #include "transcribed/overlap_v.h"
+#include "transcribed/rounding_v.h"
 #include <brink/overlap.h>
 
 enum { ASKED = 2 }; // no sign
@@ -64,7 +64,7 @@ START_TEST(the_filter_of_its_rate_is_that_of_the_proof)
         any_vector(&s, v);
         v[2] = stream_near(&s, -(r[0] * v[0] + r[1] * v[1]) / r[2], 8);
         const product x = {r[0], v[0]}, y = {r[1], v[1]}, z = {r[2], v[2]};
-        SAME(answered(event_time_sums_v_dot_plain(x, y, z),
+        SAME(answered(rounding_v_dot_plain(x, y, z),
                       overlap_v_rate_error(x, y, z)),
              brink_ball_overlap_rate_sign(r, v), r[0], r[1], r[2], v[0], v[1],
              v[2]);

@@ -121,8 +121,11 @@ def check_rows(claims):
                 fault(claim.name, f"there is no claim {other}")
         if ("compared" in claim.assumptions) != is_transcribed(claim.file):
             fault(claim.name, "is compared or included in a tests/*_transcription_test.c, not both")
+    used = {claim.file for claim in claims}
+    used.update(*[tools.options_of(ROOT / "proofs" / file) for file in used if file.endswith(".v")
+                  and (ROOT / "proofs" / file).exists()])
     for path in proofs():
-        if path.name not in {claim.file for claim in claims}:
+        if path.name not in used:
             fault(f"proofs/{path.name}", "is in no row")
     for path in sorted((ROOT / "proofs/mutants").iterdir()):
         if path.name.split(".")[0] not in names:

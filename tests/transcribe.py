@@ -126,7 +126,8 @@ def function(name, prefix, definitions, kinds, language):
     kind, answer = code.answer(value)
     lines = code.lines_for(" ".join(answer))
     text = " ".join([*lines, *answer])
-    free = [o for o in definitions.values() if isinstance(o, Open) and o.is_in(text, language)]
+    free = [o for o in definitions.values() if isinstance(o, Open) and o.name not in kinds
+            and o.is_in(text, language)]
     declared = ", ".join(o.declared(language) for o in free + mine)
     if language is C:
         result = f"(dd){{{', '.join(answer)}}}" if kind == "dd" else answer[0]
@@ -160,8 +161,9 @@ def transcribed(proof, prefix, language):
                   for name, (low, high) in ranges.items() if language is C]
         return limits + list(functions(definitions, prefix, definitions, {}, language))
     definitions = {}
-    for other in re.findall(r"with: ([\w.]+)", text):
-        definitions.update(coq((proof.parent / other).read_text())[0])
+    for other in " ".join(re.findall(r"with: ([\w. ]+)", text)).split():
+        theirs = coq((proof.parent / other).read_text())[0]
+        definitions.update((n, d) for n, d in theirs.items() if isinstance(d, Definition))
     own, kinds = coq(text)
     definitions.update(own)
     return list(functions(own, prefix, definitions, kinds, language))

@@ -49,6 +49,7 @@ def is_power(x):
 # How it is written: C, and ACSL for its links (proofs/link_wp.h).
 C = {"+": "{} + {}", "-": "{} - {}", "*": "{} * {}", "/": "{} / {}", "neg": "-{}",
      "scaled": "({} * {})", "sqrt": "sqrt({})", "abs": "fabs({})", "fma": "fma({}, {}, {})",
+     "max": "fmax({}, {})", "min": "fmin({}, {})",
      "low sum": "rest_of_sum({}, {})", "low product": "rest_of_product({}, {})",
      "number": "{}", "line": "const double {} = {};",
      "=": "{} == {}", "<": "{} < {}"}
@@ -105,8 +106,9 @@ class Code:
         if isinstance(x, Fraction):
             is_one = abs(x) < 2 ** 1023 and float(x) == x
             return self.written("number", Double(float(x).hex())) if is_one else None
-        if isinstance(x, tuple) and x[0] in ("neg", "abs") and (y := self.double(x[1])):
-            return self.written(x[0], y)
+        if isinstance(x, tuple) and x[0] in ("neg", "abs", "max", "min"):
+            parts = [self.double(y) for y in x[1:]]
+            return self.written(x[0], *parts) if all(parts) else None
         if isinstance(x, tuple) and x[0] == "*":
             for power, y in (x[1:], x[:0:-1]):
                 if is_power(power) and (y := self.double(y)):
@@ -202,7 +204,7 @@ class Code:
             return self.rounded(*arguments)
         if function == "low":
             return self.low(*arguments)
-        if function in ("Rabs", "sqrt"):
+        if function in ("Rabs", "Rmax", "Rmin", "sqrt"):
             return (function.removeprefix("R"), *arguments)
         if function == "Dd":
             return Pair(*[self.rounded(x) for x in arguments])
