@@ -19,9 +19,6 @@ Proof.
 apply sqrt_sqrt; generalize (Rle_0_sqr x) (Rle_0_sqr y) (Rle_0_sqr z); unfold Rsqr; lra.
 Qed.
 
-Lemma square_le x y : 0 <= y -> x * x <= y * y -> x <= y.
-Proof. intros; apply Rsqr_incr_0_var; assumption. Qed.
-
 Lemma cauchy x y z a b c : x * a + y * b + z * c <= len x y z * len a b c.
 Proof.
 apply square_le; [apply Rmult_le_pos; apply len_pos |].

@@ -9,9 +9,6 @@ From Flocq Require Import Core.
 From Brink Require Import rounding.
 Open Scope R_scope.
 
-Lemma square_le x y : 0 <= y -> x * x <= y * y -> x <= y.
-Proof. intros; apply Rsqr_incr_0_var; assumption. Qed.
-
 (* Of two polynomials the later roots: what the one leaves at the other's root. *)
 Lemma later_roots A B C S T t : 0 < A -> S * S = B * B - A * C -> A * T = S - B -> T <= t ->
   (t - T) * (2 * S) <= A * (t * t) + 2 * B * t + C.

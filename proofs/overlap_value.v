@@ -122,7 +122,7 @@ round_off (p + x - l1 + q) (2 * (p + q + 2 * w)) l2.
 round_off (p + x - l1 + q - l2 + little) (4 * (p + q + 2 * w) + little) l3; lra.
 Qed.
 
-Lemma square_le x y : 0 <= x <= y -> x * x <= y * y.
+Lemma squares_le x y : 0 <= x <= y -> x * x <= y * y.
 Proof. intros; apply Rmult_le_compat; lra. Qed.
 
 (* ball: |r + v t|^2 - sigma^2 *)
@@ -140,9 +140,9 @@ intros L x y z sx sy sz s rr size at_t.
 assert (X := square_near _ _ _ (place_near v0 r0 0 t)).
 assert (Y := square_near _ _ _ (place_near v1 r1 0 t)).
 assert (Z := square_near _ _ _ (place_near v2 r2 0 t)).
-assert (SX := square_le _ _ (place_size_near v0 r0 0 t little L)).
-assert (SY := square_le _ _ (place_size_near v1 r1 0 t little L)).
-assert (SZ := square_le _ _ (place_size_near v2 r2 0 t little L)).
+assert (SX := squares_le _ _ (place_size_near v0 r0 0 t little L)).
+assert (SY := squares_le _ _ (place_size_near v1 r1 0 t little L)).
+assert (SZ := squares_le _ _ (place_size_near v2 r2 0 t little L)).
 fold x in X; fold y in Y; fold z in Z; fold sx in SX; fold sy in SY; fold sz in SZ.
 fold (at_t r0 v0) in X; fold (at_t r1 v1) in Y; fold (at_t r2 v2) in Z.
 set (S0 := Rabs r0 + Rabs 0 + Rabs (v0 * t)) in *.

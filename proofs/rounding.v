@@ -60,6 +60,9 @@ intros HX HY; apply Rabs_le_inv; rewrite Rabs_mult.
 apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; assumption.
 Qed.
 
+Lemma square_le x y : 0 <= y -> x * x <= y * y -> x <= y.
+Proof. intros; apply Rsqr_incr_0_var; assumption. Qed.
+
 (* What two_sum keeps of a difference of two that are near one another. *)
 Lemma exact_difference a b : generic_format radix2 fexp a -> generic_format radix2 fexp b ->
   b / 2 <= a <= 2 * b -> low (a - b) = 0.
