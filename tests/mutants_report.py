@@ -15,6 +15,7 @@ that kills it.  The report has its survivors in the same form.
 KINDS = {"mutants": "mutants", "killed": "killed", "same": "same code",
          "uncompilable": "no code", "listed": "listed", "alive": "alive",
          "untried": "untried"}
+ENOUGH = 97  # percent
 
 
 def _words(text):
@@ -61,21 +62,26 @@ class Report:
                 if not needed and entry[0] in self.files]
 
     def status(self):
-        return 1 if self.faults() else 0
+        return 1 if self.faults() or self.score() < ENOUGH else 0
+
+    def total(self):
+        return {kind: sum(counts[kind] for _, counts in self.counts) for kind in KINDS}
+
+    def score(self):
+        """The share that is killed, of those that can be, in percent."""
+        total = self.total()
+        there = total["killed"] + total["alive"]
+        return 100 * total["killed"] / there if there else 100
 
     def table(self):
-        """And the share that is killed of those that there are: that compile, and
-        to something else."""
+        """And the score."""
         rows = [(name, *counts.values()) for name, counts in self.counts]
-        total = dict(zip(KINDS, map(sum, zip(*(row[1:] for row in rows)))))
-        rows.append(("all", *total.values()))
+        rows.append(("all", *self.total().values()))
         lines = [("", *KINDS.values()), *rows]
         page = "".join(f"{line[0]:<32}" + "".join(f"{c:>10}" for c in line[1:])
                        + "\n" for line in lines)
-        there = total["mutants"] - total["same"] - total["uncompilable"]
-        share = 100 * total["killed"] / there if there else 100
-        return page + f"\n{share:.1f} % killed, of {there} that compile to " \
-                      "something else\n"
+        return page + f"\n{self.score():.1f} % killed of those that make a difference; " \
+                      f"{ENOUGH} are asked for\n"
 
     def page(self):
         page = self.table()

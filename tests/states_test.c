@@ -181,6 +181,38 @@ START_TEST(every_pair_of_species_is_counted_at_its_own_energy)
 }
 END_TEST
 
+// The levels there is room for, of two species whose pairs have so many steps.
+static int levels_of(int aa, int ab, int bb)
+{
+    // Behind the potentials are their distances: taken for one of them, the first
+    // has more steps than any.
+    static const double distance[] = {0x1.0000000001000p+2, 3, 2},
+                        energy[] = {-1, -2, -3};
+    const brink_potential table[] = {{aa, distance, energy},
+                                     {ab, distance, energy},
+                                     {ab, distance, energy},
+                                     {bb, distance, energy}};
+    const brink_species species[] = {{"A", 1, 1, 1}, {"B", 1, 1, 1}};
+    const double box[3] = {30, 30, 30};
+    brink_system s;
+    brink_states t;
+    ck_assert_int_eq(brink_system_create(&s, 3, box, 1, 2, 2, species, table), 0);
+    ck_assert_int_eq(brink_states_create(&t, &s), 0);
+    const int levels = t.levels;
+    brink_states_destroy(&t);
+    brink_system_destroy(&s);
+    return levels;
+}
+
+START_TEST(there_are_the_levels_of_the_pair_that_has_most)
+{
+    ck_assert_int_eq(levels_of(1, 1, 1), 2);
+    ck_assert_int_eq(levels_of(3, 1, 1), 4);
+    ck_assert_int_eq(levels_of(1, 2, 3), 4);
+    ck_assert_int_eq(levels_of(1, 3, 2), 4);
+}
+END_TEST
+
 static void expect_fault(const brink_states *t, const brink_system *s,
                          const char *word)
 {
@@ -245,5 +277,6 @@ int main(void)
                      the_energy_is_a_count_times_the_energies,
                      a_log_of_events_leaves_the_levels_of_a_plain_table,
                      every_pair_of_species_is_counted_at_its_own_energy,
+                     there_are_the_levels_of_the_pair_that_has_most,
                      the_check_sees_what_is_wrong_and_says_so);
 }
