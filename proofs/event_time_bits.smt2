@@ -25,17 +25,21 @@
 
 ; are_in_range: both in [2^-256, 2^256).
 (define-fun above ((b Bits) (least Bits)) Bits (bvsub (bvlshr b (_ bv52 64)) least))
+(define-fun are_in_range () Bool
+  (bvult (bvor (above x (_ bv767 64)) (above y (_ bv767 64))) (_ bv512 64)))
 (push)
-(assert (not (= (bvult (bvor (above x (_ bv767 64)) (above y (_ bv767 64))) (_ bv512 64))
+(assert (not (= are_in_range
   (and (within x (power (_ bv767 11)) (power (_ bv1279 11)))
        (within y (power (_ bv767 11)) (power (_ bv1279 11)))))))
 (check-sat)
 (pop)
 
 ; are_moderate: all in [2^-512, 2^512).
+(define-fun are_moderate () Bool
+  (bvult (bvor (bvor (above x (_ bv511 64)) (above y (_ bv511 64))) (above z (_ bv511 64)))
+         (_ bv1024 64)))
 (push)
-(assert (not (= (bvult (bvor (above x (_ bv511 64)) (above y (_ bv511 64)) (above z (_ bv511 64)))
-                       (_ bv1024 64))
+(assert (not (= are_moderate
   (and (within x (power (_ bv511 11)) (power (_ bv1535 11)))
        (within y (power (_ bv511 11)) (power (_ bv1535 11)))
        (within z (power (_ bv511 11)) (power (_ bv1535 11)))))))
@@ -65,8 +69,9 @@
 ; choose: one of two, without a branch; first is 0 or 1.
 (declare-const first Bits)
 (define-fun mask () Bits (bvneg first))
+(define-fun choose () Bits (bvor (bvand x mask) (bvand y (bvnot mask))))
 (push)
 (assert (bvule first (_ bv1 64)))
-(assert (not (= (bvor (bvand x mask) (bvand y (bvnot mask))) (ite (= first (_ bv1 64)) x y))))
+(assert (not (= choose (ite (= first (_ bv1 64)) x y))))
 (check-sat)
 (pop)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # event_time_parting.h, far pairs: later_root's (sqrt(d) - b) / a, d off by 2.4u, a by 3u and b
 # as in event_time_meeting.g, is within 7.2u; and passing_time's -b / a within 6.2u, where b was
-# rounded once from a sum off by 1.1u (is_passing_known).  B and b stand for -B > 0 and -b.
+# rounded once from a sum off by 1.1u (is_passing_known): BRINK_EVENT_TIME_ULP 8.  B and b stand
+# for -B > 0 and -b.
 @d = float<ieee_64, ne>;
 a = d(a_);
 b = d(bs);                      # |b|

@@ -1,9 +1,10 @@
 # with: -Eprecision=160
 # SPDX-License-Identifier: MIT
-# event_time_meeting.h, time_of_meeting: within 8 ulp of C / (sqrt(D) - B), B < 0 < C, D, for what
-# its guards leave: the sum that c was rounded from is off by 2.851u of itself (is_known), d by 2.4u
-# (discriminant_of), the sum that b was rounded from by 7u^2 P, which is less than 2^-78 of the
-# denominator as P^2 <= Q < 2^44 d.  As D < B^2, w <= 1/2.  8u of the time are at most 8 ulp.
+# event_time_meeting.h, time_of_meeting: within BRINK_EVENT_TIME_ULP 8 of C / (sqrt(D) - B), B < 0
+# < C, D, for what its guards leave: the sum that c was rounded from is off by 2.851u of itself
+# (is_known), d by 2.4u (discriminant_of), the sum that b was rounded from by 7u^2 P, which is less
+# than 2^-78 of the denominator as P^2 <= Q < 2^44 d.  As D < B^2, w <= 1/2.  8u of the time are at
+# most 8 ulp.
 @d = float<ieee_64, ne>;
 c = d(cs);
 b = d(bs);

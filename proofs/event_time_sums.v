@@ -4,6 +4,7 @@
    11u^2 and 6u^2.  x, y, z, s below are the exact products; what two_sum and two_prod leave
    behind is what it is meant to be, a - rnd a.  Powers of two are taken out: exponents have no
    bounds here.  First order: u^2 (1 + 2^-40), not u^2. *)
+(* products: x y z s *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Brink Require Export rounding.
@@ -69,14 +70,15 @@ Qed.
 (* event_time_sums.h, is_far: c of a far pair is off by less than 4200u of itself, and r.r is less
    than 1026 c. *)
 Definition least_far := 1025 / 1024. (* 1 + 2^-10 *)
+Definition is_far rr ss := rnd (least_far * ss) < rr.
 
 Theorem far_error x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
   let rr := dot_plain x y z in let ss := rnd s in
-  rnd (least_far * ss) < rr ->
+  is_far rr ss ->
   Rabs (rnd (rr - ss) - (x + y + z - s)) <= 4200 * u * (x + y + z - s) /\
   x + y + z <= 1026 * (x + y + z - s).
 Proof.
-intros Hx Hy Hz Hs rr ss.
+intros Hx Hy Hz Hs rr ss; unfold is_far.
 assert (A := dot_plain_rel x y z Hx Hy Hz); fold rr in A.
 assert (B := low_small s s ltac:(lra)).
 assert (S : ss = s - low s) by apply rounded; clearbody rr ss.
@@ -91,13 +93,17 @@ split; [apply Rabs_le |]; lra.
 Qed.
 
 (* event_time_sums.h, passes: where the filter says that a far pair passes by, b^2 < a c of the
-   exact a, b, c: A, B, C.  P is the sum of the sizes in b, and P^2 <= A r.r. *)
+   exact a, b, c: A, B, C.  P is the sum of the sizes in b, and P^2 <= A r.r.  Of b <= 0: others
+   part, and twice is 0. *)
+Definition passes a b c :=
+  let twice := 2 * b in rnd (twice * twice) < rnd ((4 - / 68719476736) * rnd (a * c)).
+
 Theorem passes_filter a b c A B C P X : 0 < A -> 0 < C -> 0 <= P ->
   Rabs (a - A) <= 31 / 10 * u * A -> Rabs (b - B) <= 31 / 10 * u * P ->
   Rabs (c - C) <= 4200 * u * C -> X <= 1026 * C -> P * P <= A * X ->
-  rnd (2 * b * (2 * b)) < rnd ((4 - / 68719476736) * rnd (a * c)) -> B * B < A * C.
+  passes a b c -> B * B < A * C.
 Proof.
-intros HA HC HP Ha Hb Hc HX HQ.
+unfold passes; intros HA HC HP Ha Hb Hc HX HQ.
 apply Rabs_le_inv in Ha; apply Rabs_le_inv in Hc.
 set (T := A * C); assert (HT : 0 < T) by (apply Rmult_lt_0_compat; assumption).
 assert (Hac : 0 <= a * c <= (1 + 4300 * u) * T).

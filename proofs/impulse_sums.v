@@ -1,7 +1,8 @@
 (* with: rounding.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, pair_kick: what a pair's momentum is off by, from the masses' shares k1 and k2 on.
-   Double-double with what fast_two_sum leaves behind as it is meant to be; unbounded exponents. *)
+   Double-double with what fast_two_sum leaves behind as it is meant to be; unbounded exponents.
+   BRINK_IMPULSE_MOMENTUM_ULP 2, but for its 2^-46th part. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Brink Require Import rounding.

@@ -1,4 +1,5 @@
 (* with: rounding.v *)
+(* products: x y z s *)
 (* SPDX-License-Identifier: MIT *)
 (* The filters of the signs; what stands before 4u is exact there.  Powers of two are taken out:
    exponents have no bounds here. *)
@@ -8,12 +9,15 @@ From Brink Require Import rounding.
 Open Scope R_scope.
 
 (* overlap.c, brink_ball_overlap_sign: what the filter answers is the sign of r.r - sigma^2. *)
+Definition ball_difference x y z s := rnd (dot_plain x y z - rnd s).
+Definition ball_error x y z s := rnd (4 * u * rnd (dot_plain x y z + rnd s)).
+
 Theorem ball_sign_filter x y z s : 0 <= x -> 0 <= y -> 0 <= z -> 0 <= s ->
-  let rr := dot_plain x y z in let ss := rnd s in
-  rnd (4 * u * rnd (rr + ss)) < Rabs (rnd (rr - ss)) ->
-  (0 < rnd (rr - ss) -> 0 < x + y + z - s) /\ (rnd (rr - ss) < 0 -> x + y + z - s < 0).
+  let f := ball_difference x y z s in ball_error x y z s < Rabs f ->
+  (0 < f -> 0 < x + y + z - s) /\ (f < 0 -> x + y + z - s < 0).
 Proof.
-intros Hx Hy Hz Hs rr ss.
+intros Hx Hy Hz Hs; unfold ball_error, ball_difference.
+set (rr := dot_plain x y z); set (ss := rnd s).
 assert (A := dot_plain_rel x y z Hx Hy Hz); fold rr in A.
 assert (B := low_small s s ltac:(lra)).
 assert (S : ss = s - low s) by apply rounded; clearbody rr ss.
@@ -31,11 +35,13 @@ intro F; split; intro G; [rewrite Rabs_right in F by lra | rewrite Rabs_left in 
 Qed.
 
 (* overlap.c, brink_ball_overlap_rate_sign: likewise of x + y + z, products of either sign. *)
+Definition rate_error x y z := rnd (4 * u * size_plain x y z).
+
 Theorem rate_sign_filter x y z :
-  rnd (4 * u * size_plain x y z) < Rabs (dot_plain x y z) ->
+  rate_error x y z < Rabs (dot_plain x y z) ->
   (0 < dot_plain x y z -> 0 < x + y + z) /\ (dot_plain x y z < 0 -> x + y + z < 0).
 Proof.
-assert (E := dot_plain_error x y z); apply Rabs_le_inv in E.
+unfold rate_error; assert (E := dot_plain_error x y z); apply Rabs_le_inv in E.
 set (f := dot_plain x y z) in *; clearbody f.
 set (S := Rabs x + Rabs y + Rabs z) in *.
 assert (N := size_plain_rel x y z); fold S in N.

@@ -4,10 +4,12 @@
 
 usage: prove.py [--build FOLDER] [CLAIM...]
 
-The table there is the list: a row a claim, its third column the tool and its file.  Each is
-handed to its tool (tools.py) on this tree, and then on a copy with a fault in it for every
-patch proofs/mutants/CLAIM*.patch, which must not be proved.  A line a claim; status 1 if one
-is open, or a mutant is proved, or a claim has no mutant.
+The table there is the list: a row a claim, its third column the tool and its file.  Each file
+is handed to its tool (tools.py) on this tree, and on a copy with a fault in it for every
+patch proofs/mutants/CLAIM.*.patch, which must not be proved; as many at once as there are
+processors.  A patch that says `with: OPTIONS` first has those in place of the file's, to have no
+more proved again than what it changes.  A line a claim; status 1 if one is open, or a mutant is
+not rejected, or a claim has none.
 """
 import argparse
 import concurrent.futures
@@ -18,31 +20,52 @@ import shutil
 import subprocess
 import sys
 import time
+import typing
 
 import tools
 
 TREE = pathlib.Path(__file__).resolve().parent.parent
-ROW = re.compile(r"\| `(?P<name>[\w-]+)` (?P<says>.*?) \|.*?\| (?P<tool>\w+): `(?P<file>[^`]+)` ")
+
+
+class Claim(typing.NamedTuple):
+    """A row of the table."""
+    name: str
+    says: str
+    source: str
+    tool: str
+    file: str
+    assumptions: str
+    seconds: str
+
+
+ROW = re.compile(r"\| `([\w-]+)` (.*?) \| (.*?) \| (\w+): `([\w.]+)` \| (.*?) \| (\d+) \|")
 
 
 def claims():
-    """(name, tool, file) of every row of the table, as the README has them."""
+    """Every row of the README's table."""
     text = (TREE / "proofs/README.md").read_text()
-    found = [ROW.match(line) for line in text.splitlines()]
-    return [(m["name"], m["tool"], m["file"]) for m in found if m]
+    rows = [line for line in text.splitlines() if line.startswith("| `")]
+    found = [ROW.fullmatch(line.replace(r"\|", "/")) for line in rows]
+    if not all(found):
+        sys.exit(f"prove: no row of a claim: {rows[found.index(None)]}")
+    return [Claim(*row.groups()) for row in found]
 
 
 def mutants(name):
     return sorted((TREE / "proofs/mutants").glob(f"{name}.*.patch"))
 
 
-def prove(tree, build, tool, file):
-    """Whether it is proved, and what the tool said."""
+def prove(tree, build, tool, file, patch):
+    """Whether it is proved, None if it could not be read, and what the tool said."""
     build.mkdir(parents=True, exist_ok=True)
+    path = tree / "proofs" / file
+    options = patch and tools.options_of(patch) or tools.options_of(path)
     try:
-        return tools.TOOLS[tool](tree, build, tree / "proofs" / file)
+        return tools.TOOLS[tool](tree, build, path, options)
     except subprocess.TimeoutExpired as late:
         return False, str(late)
+    except tools.Unread as broken:
+        return None, str(broken)
 
 
 def mutated(build, patch):
@@ -56,19 +79,34 @@ def mutated(build, patch):
 
 
 def judge(job):
-    """(good, line) of a claim on the tree, or of one of its mutants."""
-    name, tool, file, patch, build = job
+    """(good, lines) of a proof on the tree, with all that is claimed of it, or of a mutant."""
+    claims_of_it, patch, build = job
+    tool, file = claims_of_it[0].tool, claims_of_it[0].file
     begun = time.monotonic()
-    if patch is None:
-        proved, said = prove(TREE, build, tool, file)
-        good, word = proved, "proved" if proved else "OPEN"
-    else:
-        proved, said = prove(mutated(build, patch), build, tool, file)
-        good, word = not proved, "PROVED, AND IS FALSE" if proved else "rejected"
+    tree = TREE if patch is None else mutated(build, patch)
+    proved, said = prove(tree, build, tool, file, patch)
     (build / "said").write_text(said)
-    what = name if patch is None else patch.stem
-    line = f"{word:<8} {what} ({tool}, {time.monotonic() - begun:.0f} s)"
-    return good, line if good else f"{line}: see {build / 'said'}"
+    took = f"({tool}, {time.monotonic() - begun:.0f} s)"
+    good = proved is (patch is None)
+    if patch is None:
+        word = "proved" if proved else "OPEN"
+    else:
+        word = {True: "PROVED, AND IS FALSE", False: "rejected", None: "NOT READ"}[proved]
+    names = [patch.stem] if patch else [claim.name for claim in claims_of_it]
+    see = "" if good else f": see {build / 'said'}"
+    return good, [f"{word:<8} {name} {took}{see}" for name in names]
+
+
+def jobs_of(chosen, build):
+    """A proof once, whatever claims rest on it, the long ones first; and the mutants."""
+    proofs = {}
+    for claim in chosen:
+        proofs.setdefault((claim.tool, claim.file), []).append(claim)
+    jobs = [(int(rows[0].seconds), (rows, None, build / file))
+            for (_, file), rows in proofs.items()]
+    jobs += [(int(claim.seconds), ([claim], patch, build / patch.stem))
+             for claim in chosen for patch in mutants(claim.name)]
+    return [job for _, job in sorted(jobs, key=lambda job: -job[0])]
 
 
 def main():
@@ -77,29 +115,28 @@ def main():
     options.add_argument("claims", nargs="*", metavar="CLAIM")
     asked = options.parse_args()
     known = claims()
-    unknown = set(asked.claims) - {name for name, _, _ in known}
+    unknown = set(asked.claims) - {claim.name for claim in known}
     if unknown:
         sys.exit(f"prove: no such claim: {', '.join(sorted(unknown))}")
-    chosen = [c for c in known if not asked.claims or c[0] in asked.claims]
+    chosen = [claim for claim in known if not asked.claims or claim.name in asked.claims]
 
     begun = time.monotonic()
     build = asked.build.resolve()
     shutil.rmtree(build, ignore_errors=True)
     bad = 0
-    jobs = []
-    for name, tool, file in chosen:
-        jobs.append((name, tool, file, None, build / name))
-        if not mutants(name):
+    for claim in chosen:
+        if not mutants(claim.name):
             bad += 1
-            print(f"OPEN     {name}: has no proofs/mutants/{name}.*.patch")
-        for patch in mutants(name):
-            jobs.append((name, tool, file, patch, build / patch.stem))
+            print(f"OPEN     {claim.name}: has no proofs/mutants/{claim.name}.*.patch")
+    jobs = jobs_of(chosen, build)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for good, line in pool.map(judge, jobs):
+        for done in concurrent.futures.as_completed([pool.submit(judge, job) for job in jobs]):
+            good, lines = done.result()
             bad += not good
-            print(line, flush=True)
+            print(*lines, sep="\n", flush=True)
     minutes = (time.monotonic() - begun) / 60
-    print(f"{len(chosen)} claims, {len(jobs) - len(chosen)} mutants, {bad} bad, {minutes:.1f} min")
+    tried = sum(patch is not None for _, patch, _ in jobs)
+    print(f"{len(chosen)} claims, {tried} mutants, {bad} bad, {minutes:.1f} min")
     return bad != 0
 
 

@@ -68,7 +68,7 @@ apply Rle_trans with (u * (1 + 101 / 100 * u) * (R * (h + R))).
   apply Rmult_le_compat_r; lra.
 Qed.
 
-Definition discriminant_of h q := rnd (rnd (h * h - Rmax (hi q) (lo q)) - Rmin (hi q) (lo q)).
+Definition discriminant_of h (q : dd) := rnd (rnd (h * h - Rmax (hi q) (lo q)) - Rmin (hi q) (lo q)).
 
 Lemma relative_and_more x : Rabs (rnd x - x) <= u * Rabs x + pow (-1075).
 Proof.

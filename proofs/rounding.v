@@ -1,3 +1,4 @@
+(* products: x y z s *)
 (* SPDX-License-Identifier: MIT *)
 (* Rounding to 53 bits without bounds of the exponents (powers of two are taken out), and what it
    leaves behind, low x = x - rnd x, which is what two_sum and two_prod keep.  What is rounded is a

@@ -1,17 +1,25 @@
 # SPDX-License-Identifier: MIT
 """How each tool is asked, and what of its answer counts as a proof.
 
-A tool is a function of the tree, a folder of its own to work in, and the proof's file; it
-gives whether all is proved, and what was said.  What a file needs beyond that it says itself,
-in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`).
+A tool is a function of the tree, a folder of its own to work in, the proof's file and options;
+it gives whether all is proved, and what was said; what it cannot even read is Unread, so that
+no mutant is taken for rejected that is only badly written.  What options a file needs it says
+itself, in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`); a mutant may say
+others.
 """
 import pathlib
 import re
 import shlex
 import shutil
 import subprocess
+import sys
 
-LONGEST = 900  # seconds, for one proof
+TRANSCRIBE = pathlib.Path(__file__).parent.parent / "tests/transcribe.py"
+LONGEST = 3600  # seconds, for one proof, on a machine that has other things to do as well
+
+
+class Unread(Exception):
+    """What a tool said of what is no proof, good or bad."""
 
 
 def options_of(file):
@@ -28,19 +36,22 @@ def run(arguments, folder):
 
 
 # The real numbers of Coq's library, and classical logic.
+NO_COQ = re.compile("Syntax error|not found in the current environment|Unable to locate library")
 AXIOMS = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
           "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
 
 
-def coq(tree, build, file):
+def coq(tree, build, file, options):
     """Every theorem of the file, asked what they rest on: no axiom but the reals' and those
     of classical logic."""
     theorems = re.findall(r"^Theorem (\w+)", file.read_text(), re.MULTILINE)
     asked = f"Definition all_of_them := ({', '.join(theorems)}).\nPrint Assumptions all_of_them.\n"
     said = ""
-    for part in [tree / "proofs" / p for p in options_of(file)] + [file]:
+    for part in [tree / "proofs" / p for p in options] + [file]:
         (build / part.name).write_text(part.read_text() + (asked if part == file else ""))
         status, said = run(["coqc", "-w", "-ambiguous-paths", "-Q", ".", "Brink", part.name], build)
+        if NO_COQ.search(said):
+            raise Unread(said)
         if status:
             return False, f"{part.name}: {said}"
     rests_on = set(re.findall(r"^([\w.]+)(?= :|$)", said.partition("Axioms:")[2], re.MULTILINE))
@@ -63,14 +74,16 @@ Ltac hint := intros; unfold Float1 in *;
 HYPOTHESIS = re.compile(r"^Hypothesis (a\d+) : (.*)\.$", re.MULTILINE)
 
 
-def gappa(tree, build, file):
+def gappa(tree, build, file, options):
     """The bounds of a script, and their certificate checked by Coq, with no hypothesis left."""
     del tree
     shutil.copy(file, build)
-    status, said = run(["gappa", *options_of(file), file.name], build)
+    status, said = run(["gappa", *options, file.name], build)
+    if status and "some properties were not satisfied" not in said:
+        raise Unread(said)
     if status or "?" in said:
         return False, said
-    certificate = subprocess.run(["gappa", "-Bcoq", *options_of(file), file.name], cwd=build,
+    certificate = subprocess.run(["gappa", "-Bcoq", *options, file.name], cwd=build,
                                  text=True, check=False, capture_output=True, timeout=LONGEST)
     if certificate.returncode:
         return False, certificate.stderr
@@ -81,59 +94,70 @@ def gappa(tree, build, file):
     return status == 0 and not re.search(r"Hypothesis|Axiom|Admitted", proved), said + more
 
 
-def portable(tree):
+def portable(tree, build):
     """What Frama-C's preprocessor is told: the kernels' branches without intrinsics."""
-    folders = f"-I{tree / 'kernels'} -I{tree / 'sim'}"
+    folders = f"-I{tree / 'kernels'} -I{tree / 'sim'} -I{build}"
     return f"-cpp-extra-args={folders} -U__SSE2__ -U__AVX__ -U__FMA__"
 
 
-def wp(tree, build, file):
+def wp(tree, build, file, options):
     """Every goal of Frama-C's WP, run-time errors among them; frama-c itself succeeds with
-    goals open, so its summary is read."""
+    goals open, so its summary is read.  What a file says is `transcribed` it includes: the
+    formulas of other proofs, in ACSL."""
+    for proof in re.findall(r"^// transcribed: (.*)$", file.read_text(), re.MULTILINE):
+        header = build / f"{proof.replace('.', '_')}.h"
+        run([sys.executable, TRANSCRIBE, tree / "proofs" / proof, header, "acsl"], build)
     provers = pathlib.Path(__file__).parent / "why3.conf"
     status, said = run(
         ["env", f"WHY3CONFIG={provers}", "frama-c", "-wp", "-wp-rte", "-wp-cache", "none",
-         "-wp-smoke-tests", "-wp-par", "1", "-wp-prover", "cvc5-nofp,z3",
-         "-wp-timeout", "60", "-wp-smoke-timeout", "1", "-wp-no-smoke-dead-code", "-warn-special-float", "none", portable(tree),
-         *options_of(file), file], build)
+         "-wp-smoke-tests", "-wp-smoke-timeout", "1", "-wp-no-smoke-dead-code",
+         "-wp-par", "1", "-wp-prover", "cvc5-nofp,z3", "-wp-timeout", "120",
+         "-warn-special-float", "none", portable(tree, build),
+         *options, file], build)
     goals = re.findall(r"Proved goals: +(\d+) / (\d+)", said)
-    return status == 0 and bool(goals) and goals[-1][0] == goals[-1][1] != "0", said
+    if status or not goals or goals[-1][1] == "0":
+        raise Unread(said)
+    return goals[-1][0] == goals[-1][1], said
 
 
-def eva(tree, build, file):
+def eva(tree, build, file, options):
     """No alarm from Frama-C's Eva, and every assertion valid."""
     status, said = run(
-        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none", portable(tree),
-         *options_of(file), file], build)
+        ["frama-c", "-eva", "-eva-precision", "6", "-warn-special-float", "none",
+         portable(tree, build), *options, file], build)
+    if status or "logical properties reached" not in said:
+        raise Unread(said)
     whole = "0 alarms generated" in said and "100% of the logical properties" in said
-    return status == 0 and whole, said
+    return whole, said
 
 
-def cvc5(tree, build, file):
+def cvc5(tree, build, file, options):
     """Unsatisfiable, bit by bit: there is no input that breaks the claim."""
     del tree
-    status, said = run(["cvc5", "--fp-exp", *options_of(file), file], build)
-    answers = said.split()
-    return status == 0 and bool(answers) and set(answers) == {"unsat"}, said
+    status, said = run(["cvc5", "--fp-exp", *options, file], build)
+    answers = set(said.split())
+    if status or not answers or not answers <= {"sat", "unsat", "unknown"}:
+        raise Unread(said)
+    return answers == {"unsat"}, said
 
 
-def small(tree, build, file):
+def small(tree, build, file, options):
     """A program that tries every input of a small format: the kernels' own source, included with
     other numbers in place of double (small_format.h), beside the same as it is compiled for the
     library (`with:`), which it must agree with at 53 bits.  Status 0: all hold."""
     program = build / file.stem
     common = ["-O2", "-ffp-contract=off", f"-I{tree / 'kernels'}", f"-I{tree / 'proofs'}"]
     objects = []
-    for source in options_of(file):
+    for source in options:
         objects.append(build / f"{pathlib.Path(source).stem}.o")
         status, said = run(["gcc", "-std=c17", *common, "-c", tree / source, "-o", objects[-1]],
                            build)
         if status:
-            return False, said
+            raise Unread(said)
     status, said = run(["g++", "-std=gnu++20", "-Wno-class-memaccess", *common, file, *objects,
                         "-o", program], build)
     if status:
-        return False, said
+        raise Unread(said)
     status, more = run([program], build)
     return status == 0, said + more
 

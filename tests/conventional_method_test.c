@@ -32,6 +32,15 @@ START_TEST(as_printed_a_pair_that_has_just_come_in_gets_out_at_once)
 }
 END_TEST
 
+// The pair that proofs/event_time_printed.v exhibits: it is out between 2 and
+// 2 + 2^-49, and the answer is 3 there as here.
+START_TEST(as_printed_a_pair_that_is_out_after_two_gets_out_at_three)
+{
+    const double r[3] = {-1, 0x1p-26, 0}, v[3] = {1, 0, 0};
+    ck_assert_double_eq(brink_disjoint_time_as_printed(r, v, 1 + 0x1p-51), 3);
+}
+END_TEST
+
 START_TEST(as_printed_the_time_is_right_in_the_middle_of_the_well)
 {
     const double r[3] = {0.5, 0, 0}, in[3] = {-1, 0, 0}, out[3] = {1, 0, 0};
@@ -134,6 +143,7 @@ int main(void)
     return RUN_SUITE("method", 120,
                      every_method_has_a_name_of_its_own_and_an_idea,
                      as_printed_a_pair_that_has_just_come_in_gets_out_at_once,
+                     as_printed_a_pair_that_is_out_after_two_gets_out_at_three,
                      as_printed_the_time_is_right_in_the_middle_of_the_well,
                      as_printed_a_pair_at_rest_never_gets_out,
                      position_shows_the_level_on_either_side_of_a_step,

@@ -220,16 +220,21 @@ def check_lines():
                     fault(f"{path}:{number}", f"is {len(line)} columns wide")
 
 
-check_rooms("kernels")
-check_rooms("sim")
-check_top()
-check_readme()
-check_fuzz_and_proofs()
-check_fuzz_table()
-check_planted()
-check_paths()
-check_fast_math_is_refused()
-check_lines()
-print(*faults, sep="\n", end="\n" if faults else "")
-print(f"{len(faults)} faults")
-sys.exit(bool(faults))
+def main():
+    check_rooms("kernels")
+    check_rooms("sim")
+    check_top()
+    check_readme()
+    check_fuzz_and_proofs()
+    check_fuzz_table()
+    check_planted()
+    check_paths()
+    check_fast_math_is_refused()
+    check_lines()
+    print(*faults, sep="\n", end="\n" if faults else "")
+    print(f"{len(faults)} faults")
+    return bool(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

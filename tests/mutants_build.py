@@ -27,8 +27,9 @@ class Build:
         self.work.mkdir(parents=True, exist_ok=True)
         for name in ("CMakeLists.txt", "kernels", "sim", "tests"):
             self._copy(source / name)
-        for path in source.glob("fuzz/*.*"):  # CMake asks for them; not the corpora
-            self._copy(path)
+        for pattern in ("fuzz/*.*", "proofs/*.*"):  # CMake asks for them; not the corpora
+            for path in source.glob(pattern):
+                self._copy(path)
         self._put(self.tree / "kernels/mutants_switch.c",
                   (source / "tests/mutants_switch.c").read_bytes())
         self._configure(options)
