@@ -67,6 +67,7 @@ START_TEST(years_without_events_are_passed_over)
     set(&c, 7, INT64_C(1) << 60, 1.0, BRINK_ENTRY_CELL, 7, 0);
     set(&c, 8, INT64_C(1) << 40, 1.0, BRINK_ENTRY_CELL, 8, 0);
     ck_assert_uint_eq(brink_calendar_next(&c), 8);
+    ck_assert_int_eq(c.epoch, INT64_C(1) << 40); // and no further
     clear(&c, 8);
     expect_valid(&c);
     ck_assert_uint_eq(brink_calendar_next(&c), 7);
@@ -85,6 +86,41 @@ START_TEST(an_event_before_today_is_next_at_once)
     ck_assert_uint_eq(brink_calendar_next(&c), 3);
     expect_valid(&c);
     brink_calendar_destroy(&c);
+}
+END_TEST
+
+START_TEST(an_event_before_this_year_is_next_at_once_however_late_in_its_own)
+{
+    brink_calendar c;
+    ck_assert_int_eq(brink_calendar_create(&c, SLOTS, YEAR, 16), 0);
+    set(&c, 1, 2, 0.1, BRINK_ENTRY_CELL, 1, 0);
+    ck_assert_uint_eq(brink_calendar_next(&c), 1);
+    set(&c, 2, 1, 7.9, BRINK_ENTRY_CELL, 2, 0);
+    ck_assert_uint_eq(brink_calendar_next(&c), 2);
+    expect_valid(&c);
+    brink_calendar_destroy(&c);
+}
+END_TEST
+
+// Either way round, and neither before itself.
+static void in_this_order(const brink_entry *a, const brink_entry *b)
+{
+    ck_assert_int_eq(brink_entry_compare(a, b), -1);
+    ck_assert_int_eq(brink_entry_compare(b, a), 1);
+    ck_assert_int_eq(brink_entry_compare(a, a), 0);
+}
+
+START_TEST(what_is_earlier_is_minus_one_what_is_later_one)
+{
+    const brink_entry e = {.when = {3, 2.0}, .i = 4, .j = 5, .kind = 1};
+    brink_entry later[5] = {e, e, e, e, e};
+    later[0].when.epoch++;
+    later[1].when.offset = 2.5;
+    later[2].kind++;
+    later[3].i++;
+    later[4].j++;
+    for (int k = 0; k < 5; k++)
+        in_this_order(&e, &later[k]);
 }
 END_TEST
 
@@ -244,6 +280,16 @@ START_TEST(the_check_sees_what_is_wrong_and_says_so)
         c.entry[s].when = right;
         expect_valid(&c);
     }
+    // what is in the list of today, or of a day gone by
+    EXPECT_FAULT_IF(c.today, lists[0], "of another day");
+    EXPECT_FAULT_IF(c.today, lists[0] + 1, "of another day");
+    EXPECT_FAULT_IF(c.first[0], c.first[lists[0]], "disagree");
+    EXPECT_FAULT_IF(c.heap[0], SLOTS + 1, "about a place");
+    const uint32_t none = c.heap[c.heap_count - 1]; // is no event, and filed
+    const brink_instant when = c.entry[none].when;
+    c.entry[none].when = BRINK_NEVER;
+    expect_fault(&c, "nowhere");
+    c.entry[none].when = when;
     c.entry[SLOTS - 1].when = (brink_instant){0, 0.0}; // and is filed nowhere
     expect_fault(&c, "nowhere");
     c.entry[SLOTS - 1].when = BRINK_NEVER;
@@ -258,12 +304,14 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("calendar", 120, an_empty_calendar_has_no_next,
-                     simultaneous_events_come_by_kind_then_by_particles,
-                     years_without_events_are_passed_over,
-                     an_event_before_today_is_next_at_once,
-                     what_comes_next_is_what_a_look_through_all_finds,
-                     a_day_with_everybody_in_it_is_in_order,
-                     other_days_wait_outside_the_heap,
-                     the_check_sees_what_is_wrong_and_says_so);
+    return RUN_SUITE(
+        "calendar", 120, an_empty_calendar_has_no_next,
+        simultaneous_events_come_by_kind_then_by_particles,
+        years_without_events_are_passed_over,
+        an_event_before_today_is_next_at_once,
+        an_event_before_this_year_is_next_at_once_however_late_in_its_own,
+        what_is_earlier_is_minus_one_what_is_later_one,
+        what_comes_next_is_what_a_look_through_all_finds,
+        a_day_with_everybody_in_it_is_in_order, other_days_wait_outside_the_heap,
+        the_check_sees_what_is_wrong_and_says_so);
 }
