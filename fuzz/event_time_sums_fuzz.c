@@ -110,6 +110,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     pair_case p;
     pair_families[stream_int(&s, 0, PAIR_FAMILIES - 1)].make(&s, &p);
     const double least = 0x1p-150, most = 0x1p150; // nothing of it underflows
+    int is_square = 1;                             // each r_i v_i is 0
     certain c = {.pair = &p};
     double vv = 0;
     c.r = p.sigma * p.sigma;
@@ -117,8 +118,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         c.p += fabs(p.r[i] * p.v[i]);
         c.r += p.r[i] * p.r[i];
         vv += p.v[i] * p.v[i];
+        is_square &= p.r[i] == 0 || p.v[i] == 0;
     }
-    if (!(c.r > least && c.r < most && vv > least && vv < most))
+    if (!(c.r > least && c.r < most && vv > least && vv < most) ||
+        !(c.p > least || is_square))
         return 0;
     oracle_path_make(&c.path, p.r, p.v, p.sigma);
     check_carried(&c);
