@@ -15,7 +15,8 @@
 /** Bound of the pair energy's error in ulp of the larger kinetic energy, and
  *  of the pair momentum's in ulp of the larger |m v|, before or after; for
  *  masses up to 1e12 apart.  That is the last rounding of either velocity and
- *  no more. */
+ *  no more.  A virial is within 2^-52 of itself, where it is normal and more
+ *  than 2^-470 of |r| times the larger m |v|. */
 #define BRINK_IMPULSE_ENERGY_ULP   4
 #define BRINK_IMPULSE_MOMENTUM_ULP 2
 
@@ -51,8 +52,8 @@ int brink_step_impulse(const double r[3], double m1, double m2, double rise,
  * the rounding of r itself, and time would stand still.  Where the angle is less
  * than BRINK_RIM_ANGLE the relative velocity is turned inward to just that angle,
  * its magnitude, hence the energy, and the pair's momentum kept; the angular
- * momentum changes by BRINK_RIM_ANGLE^2 / 2 = 2^-49 of itself, less than its
- * rounding in a bounce or two.
+ * momentum changes by BRINK_RIM_ANGLE^2 / 2 = 2^-49 of itself, to first order,
+ * less than its rounding in a bounce or two.
  *
  * Returns   1 if it turned the pair, 0 if the angle was large enough as it was.
  */
