@@ -12,8 +12,9 @@ longest=256
 [ ! -f "$options" ] || longest=$(sed -n 's/^max_len = //p' "$options")
 case $1 in
 libfuzzer)
-    # Of any length from the beginning: the first bytes choose what the rest is for.
-    echo "-max_len=$longest -len_control=0 -timeout=10 -rss_limit_mb=2048"
+    # Of any length from the beginning: the first bytes choose what the rest is for.  A
+    # minute is a hang; ten seconds were a run of two on a busy machine.
+    echo "-max_len=$longest -len_control=0 -timeout=60 -rss_limit_mb=2048"
     [ ! -f "$dictionary" ] || echo "-dict=$dictionary"
     ;;
 afl)
