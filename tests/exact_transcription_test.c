@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told exact.h does is what it does.
+#include "transcribed/exact_dd_add_v.h"
 #include "transcribed/exact_dd_v.h"
 #include "transcribed/exact_v.h"
 
@@ -20,6 +21,9 @@ START_TEST(sums_are_those_of_the_proof)
         SAME_DD(exact_v_fast_two_sum(a, b), fast_two_sum(a, b), a, b);
         const dd x = {a, a * stream_scaled(&s, -60, -53)};
         SAME_DD(exact_dd_v_dd_add_d(x, b), dd_add_d(x, b), x.hi, x.lo, b);
+        const dd y = {b, beside(&s, x.lo) * stream_scaled(&s, -8, 0)};
+        SAME_DD(exact_dd_add_v_dd_add(x, y), dd_add(x, y), x.hi, x.lo, y.hi,
+                y.lo);
     }
 }
 END_TEST
