@@ -128,14 +128,16 @@ Qed.
 
 (* --- is_told ---------------------------------------------------------------- *)
 
-Lemma told_by_more t x : is_double (hi t) ->
-  fma (lo t) (1 + pow (-15)) (hi t) = hi t ->
-  Rabs (hi t + lo t - x) <= pow (-15) * Rabs (lo t) -> rnd x = hi t.
+Lemma told_by_more k t x : (1 <= k)%Z -> is_double (hi t) ->
+  fma (lo t) (1 + pow (- k)) (hi t) = hi t ->
+  Rabs (hi t + lo t - x) <= pow (- k) * Rabs (lo t) -> rnd x = hi t.
 Proof.
-intros H Told Near; unfold fma in Told.
-assert (0 <= pow (-15) <= 1 / 2) as Small by (simpl; lra).
-apply Rabs_le_inv in Near.
-(* x lies between hi and hi + lo (1 + 2^-15), which both round to hi. *)
+intros K H Told Near; unfold fma in Told.
+assert (0 <= pow (- k) <= 1 / 2) as Small.
+{ split; [apply bpow_ge_0|]; apply Rle_trans with (pow (-1));
+    [apply bpow_le; lia | simpl; lra]. }
+apply Rabs_le_inv in Near; set (more := pow (- k)) in *.
+(* x lies between hi and hi + lo (1 + 2^-k), which both round to hi. *)
 apply Rle_antisym.
 - destruct (Rle_or_lt 0 (lo t)).
   + rewrite <- Told; apply round_le; auto with typeclass_instances.
@@ -188,18 +190,42 @@ Qed.
    is known to 2^-70: of any magnitude, barring overflow. *)
 Definition is_told (x : dd) := fma (lo x) (1 + pow (-15)) (hi x) = hi x.
 
-Theorem told_is_nearest t x : is_double (hi t) -> is_told t ->
-  Rabs (hi t + lo t - x) <= pow (-70) * Rabs (hi t) -> rnd x = hi t.
+Lemma told_by_k k t x : (15 <= k)%Z -> is_double (hi t) ->
+  fma (lo t) (1 + pow (- k)) (hi t) = hi t ->
+  Rabs (hi t + lo t - x) <= pow (- k - 55) * Rabs (hi t) -> rnd x = hi t.
 Proof.
-intros H Told Near.
+intros K H Told Near; pose proof (Rabs_pos (hi t)) as P.
 destruct (Rle_or_lt (pow (-55) * Rabs (hi t)) (Rabs (lo t))) as [Large|Little].
-- apply told_by_more; try assumption; apply Rle_trans with (1 := Near).
-  simpl in Large |- *; lra.
-- apply near_is_nearest; try assumption.
+- apply told_by_more with k; try assumption; [lia|].
+  apply Rle_trans with (1 := Near); unfold Zminus; rewrite bpow_plus, Rmult_assoc.
+  apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Large].
+- assert (pow (- k - 55) <= pow (-70)) by (apply bpow_le; lia).
+  assert (pow (- k - 55) * Rabs (hi t) <= pow (-70) * Rabs (hi t))
+    by (apply Rmult_le_compat_r; assumption).
+  apply near_is_nearest; try assumption.
   + intro Z; rewrite Z, Rabs_R0, Rmult_0_r in Little;
       pose proof (Rabs_pos (lo t)); lra.
   + replace (x - hi t) with (lo t - (hi t + lo t - x)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra.
+Qed.
+
+Theorem told_is_nearest t x : is_double (hi t) -> is_told t ->
+  Rabs (hi t + lo t - x) <= pow (-70) * Rabs (hi t) -> rnd x = hi t.
+Proof. exact (told_by_k 15 t x ltac:(lia)). Qed.
+
+(* lanes_are_told(), a lane of it: the same of x + y, |y| <= |x|, where it is
+   known to 2^-75. *)
+Definition is_told_in_lane (x y : R) := let h := plus x y in
+  fma (minus y (minus h x)) (1 + pow (-20)) h = h.
+
+Theorem told_in_lane_is_nearest x y z : is_double x -> is_double y ->
+  Rabs y <= Rabs x -> is_told_in_lane x y ->
+  Rabs (x + y - z) <= pow (-75) * Rabs (rnd (x + y)) -> rnd z = rnd (x + y).
+Proof.
+intros X Y L Told Near; set (t := fast_two_sum x y).
+pose proof (fast_two_sum_is_exact x y X Y (or_introl L)) as E; fold t in E.
+apply (told_by_k 20 t); [lia | apply rnd_is_double | exact Told |].
+rewrite E; exact Near.
 Qed.
 
 (* --- Double-double times double --------------------------------------------- *)

@@ -3,6 +3,7 @@
 #include "transcribed/exact_dd_add_v.h"
 #include "transcribed/exact_dd_v.h"
 #include "transcribed/exact_v.h"
+#include <brink/lanes.h>
 
 /** Another for a sum with x: -x or nearly, or up to 2^60 larger or smaller. */
 static double beside(stream *s, double x)
@@ -57,9 +58,29 @@ START_TEST(told_is_what_the_proof_calls_so)
 }
 END_TEST
 
+/** The same, within 2^-19. */
+START_TEST(told_in_a_lane_is_what_the_proof_calls_so)
+{
+    EACH_INPUT(s)
+    {
+        const double x = stream_scaled(&s, -900, 900);
+        const double ulp = nextafter(fabs(x), (double)INFINITY) - fabs(x);
+        const double part = stream_int(&s, 0, 1) ? 0.5 : 0.25;
+        const double y = stream_sign(&s) * part * ulp *
+                         (1 + stream_real(&s, -0x1p-19, 0x1p-19));
+        two_lanes nearest;
+        SAME(exact_v_is_told_in_lane(x, y),
+             lanes_are_told((two_lanes){x, 1}, (two_lanes){y, 0}, &nearest), x,
+             y);
+        SAME(exact_v_plus(x, y), nearest[0], x, y);
+    }
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("exact, transcribed", 120, sums_are_those_of_the_proof,
                      products_are_those_of_the_proof,
-                     told_is_what_the_proof_calls_so);
+                     told_is_what_the_proof_calls_so,
+                     told_in_a_lane_is_what_the_proof_calls_so);
 }
