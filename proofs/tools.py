@@ -144,7 +144,7 @@ def cvc5(tree, build, file, options):
 def small(tree, build, file, options):
     """A program that tries every input of a small format: the kernels' own source, included with
     other numbers in place of double (small_format.h), beside the same as it is compiled for the
-    library (`with:`), which it must agree with at 53 bits.  Status 0: all hold."""
+    library (`with:`), which it must agree with at 53 bits.  Status 0: all hold; 1: one does not."""
     program = build / file.stem
     common = ["-O2", "-ffp-contract=off", f"-I{tree / 'kernels'}", f"-I{tree / 'proofs'}"]
     objects = []
@@ -159,6 +159,8 @@ def small(tree, build, file, options):
     if status:
         raise Unread(said)
     status, more = run([program], build)
+    if status not in (0, 1):
+        raise Unread(more)
     return status == 0, said + more
 
 

@@ -108,9 +108,9 @@ def coq(text):
         name, _, rest = head.strip().partition(" ")
         rest = re.sub(r":[^()]*$", "", rest)  # the type of it all
         parameters = {}
-        for names, kind, bare in re.findall(r"\(([\w ]+) : (\w+)\)|(\w+)", rest):
+        for names, kind, bare in re.findall(r"\(([\w ]+) : ([\w* ]+)\)|(\w+)", rest):
             for parameter in (names or bare).split():
-                parameters[parameter] = ("dd" if kind == "dd" else
+                parameters[parameter] = ("dd" if kind in ("dd", "R * R") else
                                          "product" if parameter in products else "double")
         try:
             definitions[name] = Definition(tuple(parameters), Formula(body).whole())
