@@ -17,13 +17,14 @@ assert (X : rnd x = 0).
   change (fexp (-1076 + 1)) with (-1074)%Z.
   rewrite (Znearest_imp _ _ 0); [apply Rmult_0_l |].
   rewrite <- bpow_plus, Rminus_0_r, Rabs_pos_eq by apply bpow_ge_0; simpl; lra. }
-specialize (H x 0 0); unfold dot_of, rest, low in H; cbv zeta in H.
-rewrite X, Z, !Rminus_0_r, !X, !Rplus_0_r, !Z, !Rplus_0_r, !Z in H.
-assert (P : 0 < x) by apply bpow_gt_0.
-assert (Rabs (0 - x) <= 7 * tiny * u * u * (Rabs x + Rabs 0 + Rabs 0) + 0 * eta).
-{ match type of H with _ -> _ -> _ -> Rabs ?e <= _ => replace (0 - x) with e by
-    (rewrite ?Rminus_0_r, ?Rplus_0_r, ?Z, ?Rminus_eq_0, ?Rplus_0_r, ?Z; ring) end.
-  apply H; [exists h, h | exists 0, 0 | exists 0, 0]; repeat split; try assumption; try ring.
-  unfold x, h; rewrite <- bpow_plus; reflexivity. }
-rewrite Rabs_minus_sym, Rminus_0_r, Rabs_R0, Rabs_pos_eq in H0 by lra; unfold tiny, u in H0; lra.
+assert (Zero : rnd 0 = 0) by exact Z.
+assert (D : dot_of x 0 0 = 0).
+{ unfold dot_of, rest, low; cbv zeta; repeat first [rewrite X | rewrite Zero | rewrite Rplus_0_r |
+    rewrite Rminus_0_r]; reflexivity. }
+specialize (H x 0 0); rewrite D in H; assert (P : 0 < x) by apply bpow_gt_0.
+replace (0 - (x + 0 + 0)) with (- x) in H by ring.
+rewrite Rabs_Ropp, Rabs_R0, Rabs_pos_eq in H by lra.
+assert (x <= 7 * tiny * u * u * (x + 0 + 0) + 0 * eta); [| unfold tiny, u in *; lra].
+apply H; [exists h, h | exists 0, 0 | exists 0, 0]; repeat split; try assumption; try ring.
+unfold x, h; rewrite <- bpow_plus; reflexivity.
 Qed.

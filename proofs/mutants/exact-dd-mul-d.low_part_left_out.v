@@ -15,6 +15,7 @@ assert (Np : p = 2251799813685249 / 2251799813685248) by (unfold p; simpl; lra).
 destruct (numbers.exact 0 0 0) as [_ Z]; [simpl; lra | lia | lia |].
 destruct (numbers.exact h (2 ^ 52 + 1) (-52)) as [Dh _]; [unfold h; simpl; lra | lia | lia |].
 destruct (numbers.exact p (2 ^ 51 + 1) (-51)) as [_ Ep]; [unfold p; simpl; lra | lia | lia |].
+change (FLT_exp (-1074) 53) with (FLT_exp emin prec) in *.
 assert (S : rnd (h * h) = p).
 { replace p with (IZR (2 ^ 52 + 2) * pow (-52)) by (unfold p; simpl; lra).
   apply rounds_to; [lia | reflexivity |]; left; rewrite N; simpl; lra. }

@@ -16,6 +16,7 @@ assert (R : h * h - p = pow (-104)) by (rewrite N, Np; simpl; lra).
 destruct (numbers.exact 0 0 0) as [_ Z]; [simpl; lra | lia | lia |].
 destruct (numbers.exact h (2 ^ 52 + 1) (-52)) as [Dh _]; [unfold h; simpl; lra | lia | lia |].
 destruct (numbers.exact (pow (-104)) 1 (-104)) as [_ El]; [ring | lia | lia |].
+change (FLT_exp (-1074) 53) with (FLT_exp emin prec) in *.
 assert (S : rnd (h * h) = p).
 { replace p with (IZR (2 ^ 52 + 2) * pow (-52)) by (unfold p; simpl; lra).
   apply rounds_to; [lia | reflexivity |]; left; rewrite N; simpl; lra. }
