@@ -27,5 +27,5 @@ destruct (H (Dd 1 w) 0) as [_ F]; [| exact D0 |].
   rewrite ?Rplus_0_r, ?One, ?Rminus_eq_0, ?Z, ?Rminus_0_r, ?Z, ?Rplus_0_r in F.
   replace (1 - (1 + w)) with (- w) in F by ring.
   rewrite Rabs_Ropp, (Rabs_pos_eq 1), Rabs_pos_eq in F by (rewrite ?W; lra).
-  rewrite W in F; unfold u in F; simpl in F; lra.
+  rewrite W in F; simpl in F; lra.
 Qed.
