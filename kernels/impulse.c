@@ -176,7 +176,9 @@ int brink_step_impulse_balanced(const double r[3], double m1, double m2,
     dd change;
     if (crosses) {
         dd after = dd_sqrt(rest.hi > 0 ? rest : (dd){0, 0});
-        if (s.hi > 0) // s' - s = -loss / (s' + s): nothing cancels
+        // s' - s = -loss / (s' + s), where nothing cancels; but where all that is
+        // left is lost in roundings, s' is 0 and loss / s may be anything.
+        if (s.hi > 0 && rest.hi > 0)
             change = dd_div(dd_negate(loss), dd_add(after, s));
         else
             change = dd_add(after, dd_negate(s));

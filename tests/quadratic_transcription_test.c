@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told quadratic.c does is what it does.
 #include "transcribed/quadratic_roots_v.h"
+#include "transcribed/quadratic_told_sum_v.h"
+#include "transcribed/quadratic_told_v.h"
 #include "transcribed/quadratic_v.h"
 
 #define BRINK_PATH transcribed // its functions beside the library's
@@ -73,10 +75,40 @@ START_TEST(the_roots_are_those_of_the_proof)
 }
 END_TEST
 
+/** What is told and what is not, and the roots; of h < 0 the mirror. */
+START_TEST(the_told_roots_are_those_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        double a, c, any, x0 = 0, x1 = 0;
+        any_coefficients(&s, &a, &c, &any);
+        const double h = fabs(any);
+        const double d = quadratic_told_v_discriminant(h, a, c);
+        if (!(d > 0))
+            continue;
+        const double sum = quadratic_told_sum_v_s_hi(h, d);
+        const double more = quadratic_told_sum_v_s_lo(h, a, c, d);
+        const two_lanes x = {quadratic_told_v_lower(c, sum),
+                             quadratic_told_v_upper(a, sum)};
+        const two_lanes y = {quadratic_told_v_lower_more(c, sum, more),
+                             quadratic_told_v_upper_more(a, sum, more)};
+        two_lanes root;
+        const int count = lanes_are_told(x, y, &root) ? 2 : -1;
+        SAME(count, roots_told(a, -2 * any, c, &x0, &x1), a, c, any);
+        if (count == 2) {
+            root *= (two_lanes){copysign(1, any), copysign(1, any)};
+            SAME(fmin(root[0], root[1]), x0, a, c, any);
+            SAME(fmax(root[0], root[1]), x1, a, c, any);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("quadratic, transcribed", 120,
                      the_discriminant_of_one_sign_is_that_of_the_proof,
                      any_discriminant_is_that_of_the_proof,
-                     the_roots_are_those_of_the_proof);
+                     the_roots_are_those_of_the_proof,
+                     the_told_roots_are_those_of_the_proof);
 }
