@@ -9,6 +9,7 @@
 #include "transcribed/event_time_near_v.h"
 #include "transcribed/event_time_parting_smt2.h"
 #include "transcribed/event_time_sums_v.h"
+#include "transcribed/event_time_underflow_v.h"
 #include "transcribed/event_time_verdicts_v.h"
 #include <brink/event_time_fast.h>
 #include <brink/event_time_meeting.h>
@@ -121,6 +122,31 @@ START_TEST(the_sums_are_those_of_the_proof)
         const two_dots dots = {dot_of(x.r, x.v), dot_of(x.r, x.r)};
         SAME(sum_of(event_time_sums_v_near_c(PRODUCTS(x.r, x.r), ss)),
              near_sums_of(dots, x.sigma).c, NUMBERS(x));
+    }
+}
+END_TEST
+
+/** Of numbers as small that their products underflow, some or all. */
+START_TEST(sums_that_underflow_are_those_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        vectors x = any_vectors(&s);
+        for (int k = 0; k < 3; k++) {
+            x.r[k] = ldexp(x.r[k], -500 - 40 * stream_int(&s, 0, 1));
+            x.v[k] = ldexp(x.v[k], -500 - 40 * stream_int(&s, 0, 1));
+        }
+        x.sigma = ldexp(x.sigma, -520);
+        const product ss = {x.sigma, x.sigma};
+        SAME(event_time_underflow_v_dot_rounded(PRODUCTS(x.r, x.v)),
+             dot_rounded(x.r, x.v), NUMBERS(x));
+        const dd dot = event_time_underflow_v_dot_of(PRODUCTS(x.r, x.v));
+        const dd our_dot = dot_of(x.r, x.v), our_c = sums_of(x.r, x.v, x.sigma).c;
+        const dd c = event_time_underflow_v_c_of(PRODUCTS(x.r, x.r), ss);
+        SAME(dot.hi, our_dot.hi, NUMBERS(x));
+        SAME(dot.lo + 0, our_dot.lo + 0, NUMBERS(x)); // 0 has no sign there
+        SAME(c.hi, our_c.hi, NUMBERS(x));
+        SAME(c.lo + 0, our_c.lo + 0, NUMBERS(x));
     }
 }
 END_TEST
@@ -282,8 +308,10 @@ int main(void)
         "event_time, transcribed", 120,
         the_time_of_meeting_is_that_of_the_scripts,
         the_time_of_parting_is_that_of_the_scripts,
-        the_sums_are_those_of_the_proof, the_discriminant_is_that_of_the_proof,
-        the_outline_is_that_of_the_proof, the_filters_are_those_of_the_proof,
+        the_sums_are_those_of_the_proof,
+        sums_that_underflow_are_those_of_the_proof,
+        the_discriminant_is_that_of_the_proof, the_outline_is_that_of_the_proof,
+        the_filters_are_those_of_the_proof,
         near_times_and_their_verdicts_are_those_of_the_proof,
         verdicts_on_meetings_are_those_of_the_proof,
         pairs_that_part_are_those_of_the_proof, bits_mean_what_the_script_says);
