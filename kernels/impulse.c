@@ -167,7 +167,7 @@ int brink_step_impulse_balanced(const double r[3], double m1, double m2,
     dd rest = dd_add(ss, dd_negate(loss));
 
     // Components of r, v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96; b
-    // is off by 8u^2 P, s^2 by 20u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
+    // is off by 8u^2 P, s^2 by 23u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
     // itself.
     int crosses = rest.hi > 0;
     if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told exact.h does is what it does.
 #include "transcribed/exact_dd_add_v.h"
+#include "transcribed/exact_dd_products_v.h"
 #include "transcribed/exact_dd_v.h"
 #include "transcribed/exact_v.h"
+#include "transcribed/impulse_sums_v.h"
 #include <brink/lanes.h>
 
 /** Another for a sum with x: -x or nearly, or up to 2^60 larger or smaller. */
@@ -38,6 +40,12 @@ START_TEST(products_are_those_of_the_proof)
         SAME_DD(exact_v_two_prod(a, b), two_prod(a, b), a, b);
         const dd x = {a, a * stream_scaled(&s, -60, -53)};
         SAME_DD(exact_v_dd_mul_d(x, b), dd_mul_d(x, b), x.hi, x.lo, b);
+        const dd y = {b, b * stream_scaled(&s, -60, -53)}, root = {fabs(a), x.lo};
+        SAME_DD(exact_dd_products_v_dd_mul(x, y), dd_mul(x, y), a, x.lo, b, y.lo);
+        SAME_DD(exact_dd_products_v_dd_div(x, y), dd_div(x, y), a, x.lo, b, y.lo);
+        SAME_DD(exact_dd_products_v_dd_sqrt(root), dd_sqrt(root), a, x.lo);
+        SAME_DD(impulse_sums_v_dd_div(a, y), dd_div((dd){a, 0}, y), a, b, y.lo);
+        SAME_DD(impulse_sums_v_dd_add_d(x, b), dd_add_d(x, b), a, x.lo, b);
     }
 }
 END_TEST
