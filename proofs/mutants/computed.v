@@ -1,0 +1,177 @@
+(* SPDX-License-Identifier: MIT *)
+(* For counterexamples: what a formula of numbers that are written out comes to, with every rounding
+   in it, to the nearest in any format, computed with integers. *)
+From Coq Require Import Reals ZArith Lra Lia.
+From Flocq Require Import Core Bracket Calc.Operations Calc.Round Calc.Div Calc.Sqrt.
+Open Scope R_scope.
+
+Inductive formula :=
+  | Integer (m : Z)
+  | Power (e : Z) (* of 2 *)
+  | Sum (f g : formula)
+  | Product (f g : formula)
+  | Opposite (f : formula)
+  | Size (f : formula)
+  | Inverse (f : formula) (* of a power of two *)
+  | Rounded (f : formula)
+  | Quotient (f g : formula) (* by what is > 0, rounded; and a root *)
+  | Root (f : formula).
+
+Section Computed.
+Variable fexp : Z -> Z.
+Context {valid : Valid_exp fexp}.
+Notation rnd := (round radix2 fexp ZnearestE).
+
+Fixpoint meaning f :=
+  match f with
+  | Integer m => IZR m
+  | Power e => bpow radix2 e
+  | Sum f g => meaning f + meaning g
+  | Product f g => meaning f * meaning g
+  | Opposite f => - meaning f
+  | Size f => Rabs (meaning f)
+  | Inverse f => / meaning f
+  | Rounded f => rnd (meaning f)
+  | Quotient f g => rnd (meaning f / meaning g)
+  | Root f => rnd (sqrt (meaning f))
+  end.
+
+Definition nearest (t : Z * Z * location) :=
+  let '(m, e, l) := truncate radix2 fexp t in
+  Float radix2 (cond_incr (round_N (negb (Z.even m)) l) m) e.
+
+Definition round_number (x : float radix2) :=
+  if (Fnum x <? 0)%Z then @Fopp radix2 (nearest (- Fnum x, Fexp x, loc_Exact)%Z)
+  else nearest (Fnum x, Fexp x, loc_Exact).
+
+Definition divide (x y : float radix2) :=
+  if (0 <? Fnum y)%Z then Some (
+    if (0 <? Fnum x)%Z then nearest (Fdiv fexp x y)
+    else if (Fnum x =? 0)%Z then Float radix2 0 0
+    else Fopp (nearest (Fdiv fexp (Fopp x) y)))
+  else None.
+
+Definition both (f : float radix2 -> float radix2 -> float radix2) x y :=
+  match x, y with Some x, Some y => Some (f x y) | _, _ => None end.
+
+Fixpoint computed f :=
+  match f with
+  | Integer m => Some (Float radix2 m 0)
+  | Power e => Some (Float radix2 1 e)
+  | Sum f g => both (@Fplus radix2) (computed f) (computed g)
+  | Product f g => both (@Fmult radix2) (computed f) (computed g)
+  | Opposite f => option_map (@Fopp radix2) (computed f)
+  | Size f => option_map (@Fabs radix2) (computed f)
+  | Inverse f => match computed f with
+    | Some (Float _ m e) =>
+      if (m =? 2 ^ Z.log2 m)%Z then Some (Float radix2 1 (- (Z.log2 m + e))) else None
+    | None => None
+    end
+  | Rounded f => option_map round_number (computed f)
+  | Quotient f g =>
+    match computed f, computed g with Some x, Some y => divide x y | _, _ => None end
+  | Root f => match computed f with
+    | Some x => if (0 <? Fnum x)%Z then Some (nearest (Fsqrt fexp x)) else None
+    | None => None
+    end
+  end.
+
+Lemma nearest_is_rounded x m e l : 0 <= x -> (e <= cexp radix2 fexp x)%Z \/ l = loc_Exact ->
+  inbetween_float radix2 m e x l -> rnd x = F2R (nearest (m, e, l)).
+Proof.
+intros P E I; rewrite (round_trunc_NE_correct' radix2 fexp x m e l P I E); unfold nearest.
+destruct (truncate radix2 fexp (m, e, l)) as [[m' e'] l']; reflexivity.
+Qed.
+
+Lemma positive (x : float radix2) : (0 <? Fnum x)%Z = true -> 0 < F2R x.
+Proof. destruct x as [m e]; intro H; apply Z.ltb_lt in H; apply F2R_gt_0, H. Qed.
+
+Lemma round_number_is_rounded x : rnd (F2R x) = F2R (round_number x).
+Proof.
+destruct x as [m e]; unfold round_number; cbn [Fnum Fexp].
+destruct (Z.ltb_spec m 0) as [N | P].
+- rewrite F2R_opp; replace (F2R (Float radix2 m e)) with (- F2R (Float radix2 (- m) e))
+    by (rewrite F2R_Zopp; ring).
+  rewrite round_NE_opp; f_equal; apply nearest_is_rounded; [| right; reflexivity |].
+  + apply F2R_ge_0; cbn; lia.
+  + constructor; reflexivity.
+- apply nearest_is_rounded; [| right; reflexivity |].
+  + apply F2R_ge_0; exact P.
+  + constructor; reflexivity.
+Qed.
+
+Lemma divide_is_rounded x y z : divide x y = Some z -> rnd (F2R x / F2R y) = F2R z.
+Proof.
+unfold divide; destruct (0 <? Fnum y)%Z eqn:Y; [| discriminate]; apply positive in Y.
+assert (P : forall x, 0 < F2R x -> rnd (F2R x / F2R y) = F2R (nearest (Fdiv fexp x y))).
+{ intros v V; assert (C := Fdiv_correct fexp _ _ V Y); destruct (Fdiv _ _ _) as [[m e] l].
+  apply nearest_is_rounded; [apply Rlt_le, Rdiv_lt_0_compat; assumption | left |]; apply C. }
+intro H; injection H as <-; destruct (Z.ltb_spec 0 (Fnum x)) as [X | X].
+- apply P, F2R_gt_0, X.
+- destruct (Z.eqb_spec (Fnum x) 0) as [X0 | X0]; destruct x as [m e]; cbn [Fnum] in *.
+  + rewrite X0, !F2R_0; unfold Rdiv; rewrite Rmult_0_l; apply round_0; typeclasses eauto.
+  + rewrite F2R_opp, <- P by (apply F2R_gt_0; cbn; lia).
+    rewrite <- round_NE_opp, F2R_opp; f_equal; unfold Rdiv; ring.
+Qed.
+
+Theorem comes_to f : forall x, computed f = Some x -> meaning f = F2R x.
+Proof.
+induction f as [m | e | f IF g IG | f IF g IG | f IF | f IF | f IF | f IF | f IF g IG | f IF];
+  cbn [computed meaning]; unfold both, option_map; intros x H;
+  repeat match goal with
+  | H : match computed ?f with _ => _ end = Some _ |- _ => destruct (computed f); [| discriminate]
+  end;
+  repeat match goal with I : forall y, Some ?z = Some y -> _ |- _ =>
+    specialize (I z eq_refl); rewrite I; clear I end;
+  try injection H as <-.
+- unfold F2R; simpl; ring.
+- unfold F2R; simpl; ring.
+- symmetry; apply F2R_plus.
+- symmetry; apply F2R_mult.
+- symmetry; apply F2R_opp.
+- symmetry; apply F2R_abs.
+- destruct f0 as [m e]; destruct (Z.eqb_spec m (2 ^ Z.log2 m)) as [E | E]; [| discriminate].
+  injection H as <-; unfold F2R; cbn [Fnum Fexp]; rewrite Rmult_1_l, bpow_opp, bpow_plus.
+  rewrite E at 1; f_equal; f_equal; apply (IZR_Zpower radix2), Z.log2_nonneg.
+- apply round_number_is_rounded.
+- apply divide_is_rounded, H.
+- destruct (0 <? _)%Z eqn:E; [| discriminate]; injection H as <-; apply positive in E.
+  assert (C := Fsqrt_correct fexp _ E); destruct (Fsqrt _ _) as [[m e] l].
+  apply nearest_is_rounded; [apply sqrt_pos | left |]; apply C.
+Qed.
+End Computed.
+
+Ltac formula_of t :=
+  lazymatch t with
+  | IZR ?m => constr:(Integer m)
+  | bpow radix2 ?e => constr:(Power e)
+  | ?a + ?b => let f := formula_of a in let g := formula_of b in constr:(Sum f g)
+  | ?a - ?b => let f := formula_of a in let g := formula_of b in constr:(Sum f (Opposite g))
+  | ?a * ?b => let f := formula_of a in let g := formula_of b in constr:(Product f g)
+  | - ?a => let f := formula_of a in constr:(Opposite f)
+  | Rabs ?a => let f := formula_of a in constr:(Size f)
+  | / ?a => let f := formula_of a in constr:(Inverse f)
+  | round radix2 _ ZnearestE (?a / ?b) =>
+    let f := formula_of a in let g := formula_of b in constr:(Quotient f g)
+  | ?a / ?b => let f := formula_of a in let g := formula_of b in constr:(Product f (Inverse g))
+  | round radix2 _ ZnearestE (sqrt ?a) => let f := formula_of a in constr:(Root f)
+  | round radix2 _ ZnearestE ?a => let f := formula_of a in constr:(Rounded f)
+  end.
+
+(* E: t is this number.  A size is rounded nowhere: of any format. *)
+Ltac value_of fexp t E :=
+  let f := formula_of t in let v := eval vm_compute in (computed fexp f) in
+  lazymatch v with Some (Float _ ?m ?e) =>
+    assert (E : t = IZR m * bpow radix2 e)
+      by exact (comes_to fexp f (Float radix2 m e) ltac:(vm_compute; reflexivity))
+  end.
+
+(* All roundings and sizes of numbers that are written out. *)
+Ltac work_out :=
+  repeat match goal with
+  | |- context [round radix2 ?fexp ZnearestE ?written] => let E := fresh in
+    value_of fexp (round radix2 fexp ZnearestE written) E; rewrite E; clear E
+  | |- context [Rabs ?written] => let E := fresh in
+    value_of (FIX_exp 0) (Rabs written) E; rewrite E; clear E
+  end; simpl bpow.
+Ltac work_out_in H := revert H; work_out; intro H.
