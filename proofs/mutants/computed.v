@@ -40,16 +40,12 @@ Definition nearest (t : Z * Z * location) :=
   let '(m, e, l) := truncate radix2 fexp t in
   Float radix2 (cond_incr (round_N (negb (Z.even m)) l) m) e.
 
-Definition round_number (x : float radix2) :=
-  if (Fnum x <? 0)%Z then @Fopp radix2 (nearest (- Fnum x, Fexp x, loc_Exact)%Z)
-  else nearest (Fnum x, Fexp x, loc_Exact).
-
-Definition divide (x y : float radix2) :=
-  if (0 <? Fnum y)%Z then Some (
-    if (0 <? Fnum x)%Z then nearest (Fdiv fexp x y)
-    else if (Fnum x =? 0)%Z then Float radix2 0 0
-    else Fopp (nearest (Fdiv fexp (Fopp x) y)))
-  else None.
+(* What is odd, from what it is of numbers >= 0. *)
+Definition by_sign f (x : float radix2) :=
+  if (Fnum x <? 0)%Z then Fopp (f (Fopp x)) else f x : float radix2.
+Definition round_number := by_sign (fun x => nearest (Fnum x, Fexp x, loc_Exact)).
+Definition divide x y :=
+  by_sign (fun x => if (Fnum x =? 0)%Z then x else nearest (Fdiv fexp x y)) x.
 
 Definition both (f : float radix2 -> float radix2 -> float radix2) x y :=
   match x, y with Some x, Some y => Some (f x y) | _, _ => None end.
@@ -69,7 +65,10 @@ Fixpoint computed f :=
     end
   | Rounded f => option_map round_number (computed f)
   | Quotient f g =>
-    match computed f, computed g with Some x, Some y => divide x y | _, _ => None end
+    match computed f, computed g with
+    | Some x, Some y => if (0 <? Fnum y)%Z then Some (divide x y) else None
+    | _, _ => None
+    end
   | Root f => match computed f with
     | Some x => if (0 <? Fnum x)%Z then Some (nearest (Fsqrt fexp x)) else None
     | None => None
@@ -86,32 +85,29 @@ Qed.
 Lemma positive (x : float radix2) : (0 <? Fnum x)%Z = true -> 0 < F2R x.
 Proof. destruct x as [m e]; intro H; apply Z.ltb_lt in H; apply F2R_gt_0, H. Qed.
 
-Lemma round_number_is_rounded x : rnd (F2R x) = F2R (round_number x).
+Lemma by_sign_is (g : R -> R) f x : (forall r, g (- r) = - g r) ->
+  (forall y : float radix2, (0 <= Fnum y)%Z -> g (F2R y) = F2R (f y)) ->
+  g (F2R x) = F2R (by_sign f x).
 Proof.
-destruct x as [m e]; unfold round_number; cbn [Fnum Fexp].
-destruct (Z.ltb_spec m 0) as [N | P].
-- rewrite F2R_opp; replace (F2R (Float radix2 m e)) with (- F2R (Float radix2 (- m) e))
-    by (rewrite F2R_Zopp; ring).
-  rewrite round_NE_opp; f_equal; apply nearest_is_rounded; [| right; reflexivity |].
-  + apply F2R_ge_0; cbn; lia.
-  + constructor; reflexivity.
-- apply nearest_is_rounded; [| right; reflexivity |].
-  + apply F2R_ge_0; exact P.
-  + constructor; reflexivity.
+intros Odd P; unfold by_sign; destruct (Z.ltb_spec (Fnum x) 0) as [N | N]; [| apply P, N].
+rewrite F2R_opp, <- P, F2R_opp, Odd; [ring | destruct x; cbn in *; lia].
 Qed.
 
-Lemma divide_is_rounded x y z : divide x y = Some z -> rnd (F2R x / F2R y) = F2R z.
+Lemma round_number_is_rounded x : rnd (F2R x) = F2R (round_number x).
 Proof.
-unfold divide; destruct (0 <? Fnum y)%Z eqn:Y; [| discriminate]; apply positive in Y.
-assert (P : forall x, 0 < F2R x -> rnd (F2R x / F2R y) = F2R (nearest (Fdiv fexp x y))).
-{ intros v V; assert (C := Fdiv_correct fexp _ _ V Y); destruct (Fdiv _ _ _) as [[m e] l].
-  apply nearest_is_rounded; [apply Rlt_le, Rdiv_lt_0_compat; assumption | left |]; apply C. }
-intro H; injection H as <-; destruct (Z.ltb_spec 0 (Fnum x)) as [X | X].
-- apply P, F2R_gt_0, X.
-- destruct (Z.eqb_spec (Fnum x) 0) as [X0 | X0]; destruct x as [m e]; cbn [Fnum] in *.
-  + rewrite X0, !F2R_0; unfold Rdiv; rewrite Rmult_0_l; apply round_0; typeclasses eauto.
-  + rewrite F2R_opp, <- P by (apply F2R_gt_0; cbn; lia).
-    rewrite <- round_NE_opp, F2R_opp; f_equal; unfold Rdiv; ring.
+apply by_sign_is; [apply round_NE_opp |]; intros [m e] P.
+apply nearest_is_rounded; [apply F2R_ge_0; exact P | right; reflexivity | constructor; reflexivity].
+Qed.
+
+Lemma divide_is_rounded x y : 0 < F2R y -> rnd (F2R x / F2R y) = F2R (divide x y).
+Proof.
+intro Y; apply (by_sign_is (fun r => rnd (r / F2R y))).
+- intro r; rewrite <- round_NE_opp; f_equal; unfold Rdiv; ring.
+- intros [m e] P; cbn [Fnum] in *; destruct (Z.eqb_spec m 0) as [-> | N].
+  + rewrite F2R_0; unfold Rdiv; rewrite Rmult_0_l; apply round_0; typeclasses eauto.
+  + assert (X : 0 < F2R (Float radix2 m e)) by (apply F2R_gt_0; cbn; lia).
+    assert (C := Fdiv_correct fexp _ _ X Y); destruct (Fdiv _ _ _) as [[m' e'] l].
+    apply nearest_is_rounded; [apply Rlt_le, Rdiv_lt_0_compat; assumption | left |]; apply C.
 Qed.
 
 Theorem comes_to f : forall x, computed f = Some x -> meaning f = F2R x.
@@ -134,7 +130,8 @@ induction f as [m | e | f IF g IG | f IF g IG | f IF | f IF | f IF | f IF | f IF
   injection H as <-; unfold F2R; cbn [Fnum Fexp]; rewrite Rmult_1_l, bpow_opp, bpow_plus.
   rewrite E at 1; f_equal; f_equal; apply (IZR_Zpower radix2), Z.log2_nonneg.
 - apply round_number_is_rounded.
-- apply divide_is_rounded, H.
+- destruct (0 <? _)%Z eqn:E; [| discriminate]; injection H as <-.
+  apply divide_is_rounded, positive, E.
 - destruct (0 <? _)%Z eqn:E; [| discriminate]; injection H as <-; apply positive in E.
   assert (C := Fsqrt_correct fexp _ E); destruct (Fsqrt _ _) as [[m e] l].
   apply nearest_is_rounded; [apply sqrt_pos | left |]; apply C.
