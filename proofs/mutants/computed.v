@@ -172,3 +172,8 @@ Ltac work_out :=
     value_of (FIX_exp 0) (Rabs written) E; rewrite E; clear E
   end; simpl bpow.
 Ltac work_out_in H := revert H; work_out; intro H.
+
+(* A number that is written out, of a format. *)
+Ltac written := match goal with |- generic_format radix2 ?fexp ?number =>
+  replace number with (round radix2 fexp ZnearestE number) by (work_out; lra);
+  apply generic_format_round; typeclasses eauto end.

@@ -35,15 +35,13 @@ Qed.
 
 Theorem is_false : ltac:(let T := type of roots_are_told in exact (T -> False)).
 Proof.
-assert (D : forall x m e, x = IZR m * pow e -> (Z.abs m < 2 ^ 53)%Z -> is_double x).
-{ intros x m e -> L; apply generic_format_FLX; exists (Float radix2 m e); [reflexivity | exact L]. }
 destruct sum_here as [S L]; destruct upper_here as [X Y].
 intro H; destruct (H h a c) with (x := upper a (s_hi h (discriminant h a c)))
   (y := upper_more a (s_hi h (discriminant h a c)) (s_lo h a c (discriminant h a c)))
   (X := (h + sqrt (h * h - a * c)) / a) as [F _].
-- apply (D _ _ _ eq_refl); easy.
-- apply (D _ _ _ eq_refl); easy.
-- apply (D _ _ _ eq_refl); easy.
+- unfold h; written.
+- unfold a; written.
+- unfold c; written.
 - unfold h; simpl; lra.
 - unfold a; simpl; lra.
 - rewrite discriminant_here; simpl; lra.
