@@ -1,6 +1,6 @@
 (* refutes: rim_keeps_energy *)
 (* SPDX-License-Identifier: MIT *)
-(* Of a pair of velocity 1 at its closest approach: 2^-24 inward is more than the velocity it had. *)
+(* A pair of velocity 1 at its closest approach is given 2^-24 inward beside it. *)
 From Coq Require Import Reals Lra.
 From Brink Require Import event_time impulse.
 Open Scope R_scope.

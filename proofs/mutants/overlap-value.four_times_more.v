@@ -23,7 +23,8 @@ assert (N : Rabs (1 - 7 * u - f) <= u).
   - lra.
   - unfold w, f, v, pow98; work_out; lra.
   - unfold precise_from, pow43, rnd, u.
-    match goal with |- context [round _ _ _ ?x] => replace x with (1 - pow (-50)) by (simpl; lra) end.
+    match goal with |- context [round _ _ _ ?number] =>
+      replace number with (1 - pow (-50)) by (simpl; lra) end.
     work_out; lra. }
 apply Rabs_le_inv in N; unfold u in *; lra.
 Qed.

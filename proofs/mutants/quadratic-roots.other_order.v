@@ -28,7 +28,7 @@ intro H; destruct (H h 1 c 1) as [F _]; rewrite ?D.
   set (r := sqrt (h * h - 1 * c)) in *; clearbody r; set (S := h + 1 * r) in *.
   assert (B : 1 <= S < 2) by (unfold S, h; simpl in *; lra).
   assert (U : ulp (S / 1) = pow (-52)).
-  { unfold Rdiv; rewrite Rinv_1, Rmult_1_r, ulp_neq_0 by lra; unfold cexp; rewrite (mag_unique _ _ 1); [reflexivity |].
-    rewrite Rabs_pos_eq by lra; simpl; lra. }
+  { unfold Rdiv; rewrite Rinv_1, Rmult_1_r, ulp_neq_0 by lra; unfold cexp.
+    rewrite (mag_unique _ _ 1); [reflexivity |]; rewrite Rabs_pos_eq by lra; simpl; lra. }
   rewrite U in F; apply Rabs_le_inv in F; unfold S, h in F; simpl in *; lra.
 Qed.
