@@ -1,116 +1,12 @@
-(* with: rounding.v *)
+(* with: rounding.v impulse_dd.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, pair_kick: what a pair's momentum is off by, from the masses' shares k1 and k2 on.
-   Double-double with what fast_two_sum leaves behind as it is meant to be; unbounded exponents.
+   Unbounded exponents.
    BRINK_IMPULSE_MOMENTUM_ULP 2, but for its 2^-46th part. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding.
+From Brink Require Import rounding impulse_dd.
 Open Scope R_scope.
-
-(* A double-double as two_sum leaves it. *)
-Definition is_dd (x : R * R) := Rabs (snd x) <= 1001 / 1000 * u * Rabs (fst x).
-Definition total (x : R * R) := fst x + snd x.
-Definition normal s := (rnd s, low s). (* fast_two_sum of what sums up to s *)
-
-Lemma normal_is_dd s : is_dd (normal s) /\ total (normal s) = s.
-Proof.
-unfold is_dd, total, normal; cbn [fst snd]; assert (H := low_own s); rewrite (rounded s).
-set (l := low s) in *; clearbody l; split; [| ring].
-revert H; unfold u, Rabs; repeat destruct Rcase_abs; intros; lra.
-Qed.
-
-Definition dd_mul (x y : R * R) := let p := fst x * fst y in
-  normal (rnd p + rnd (low p +
-    rnd (snd x * fst y + rnd (fst x * snd y + rnd (snd x * snd y))))).
-
-(* 6.1u^2, and fast_two_sum's condition. *)
-Theorem dd_mul_is_close x y : is_dd x -> is_dd y ->
-  Rabs (total (dd_mul x y) - total x * total y) <= 62 / 10 * u * u * Rabs (fst x * fst y) /\
-  is_dd (dd_mul x y).
-Proof.
-destruct x as [xh xl], y as [yh yl]; unfold dd_mul, is_dd at 1 2, total at 2 3; cbn [fst snd].
-intros X Y; set (s := rnd (xh * yh) + _); destruct (normal_is_dd s) as [N ->]; split; [| exact N].
-unfold s; clear s N.
-assert (Hx : - (1001 / 1000 * u * Rabs xh) <= xl <= 1001 / 1000 * u * Rabs xh)
-  by (apply Rabs_le_inv, X).
-assert (Hy : - (1001 / 1000 * u * Rabs yh) <= yl <= 1001 / 1000 * u * Rabs yh)
-  by (apply Rabs_le_inv, Y).
-assert (Sx := Rabs_le_inv xh _ (Rle_refl _)); assert (Sy := Rabs_le_inv yh _ (Rle_refl _)).
-assert (P1 := product _ _ _ _ Sx Sy); assert (P2 := product _ _ _ _ Sx Hy).
-assert (P3 := product _ _ _ _ Hx Sy); assert (P4 := product _ _ _ _ Hx Hy).
-rewrite Rabs_mult; set (T := Rabs xh * Rabs yh) in *.
-replace (Rabs xh * (1001 / 1000 * u * Rabs yh)) with (1001 / 1000 * u * T) in P2
-  by (unfold T; ring).
-replace (1001 / 1000 * u * Rabs xh * Rabs yh) with (1001 / 1000 * u * T) in P3 by (unfold T; ring).
-replace (1001 / 1000 * u * Rabs xh * (1001 / 1000 * u * Rabs yh)) with
-  (1001 / 1000 * 1001 / 1000 * u * u * T) in P4 by (unfold T; field).
-replace ((xh + xl) * (yh + yl)) with (xh * yh + xh * yl + xl * yh + xl * yl) by ring.
-set (hh := xh * yh) in *; set (hl := xh * yl) in *; set (lh := xl * yh) in *.
-set (ll := xl * yl) in *; clearbody hh hl lh ll T; clear X Y Hx Hy Sx Sy; unfold u in *.
-round_off hh T l0; round_off ll (11 / 10 / 9007199254740992 / 9007199254740992 * T) l1.
-round_off (hl + (ll - l1)) (1002 / 1000 / 9007199254740992 * T) l2.
-round_off (lh + (hl + (ll - l1) - l2)) (2004 / 1000 / 9007199254740992 * T) l3.
-round_off (l0 + (lh + (hl + (ll - l1) - l2) - l3)) (3006 / 1000 / 9007199254740992 * T) l4.
-bound.
-Qed.
-
-(* dd_div of a double: q and what is left over of it. *)
-Definition dd_div (x : R) (y : R * R) :=
-  let q := rnd (x / fst y) in let p := fst y * q in
-  let r := rnd p + rnd (snd y * q + low p) in
-  normal (q + rnd (rnd (rnd (x - rnd r) - low r) / fst y)).
-
-Theorem dd_div_is_close x y : 0 < x -> 0 < fst y -> is_dd y -> is_dd (dd_div x y) /\
-  Rabs (total (dd_div x y) * total y - x) <= 13 * u * u * x.
-Proof.
-destruct y as [h l]; unfold is_dd at 1, total at 2; cbn [fst snd]; intros X H D.
-unfold dd_div; cbn [fst snd]; cbv zeta.
-set (s := rnd (x / h) + _); destruct (normal_is_dd s) as [N ->]; split; [exact N |].
-unfold s; clear s N; rewrite (Rabs_pos_eq h) in D by lra; apply Rabs_le_inv in D.
-set (T := x / h); assert (ET : h * T = x) by (unfold T; field; lra).
-assert (PT : 0 < T) by (apply Rdiv_lt_0_compat; assumption).
-assert (L0 := low_small T T ltac:(lra)); rewrite (rounded T).
-set (l0 := low T) in *; clearbody l0; clearbody T.
-assert (M0 := product h l0 h _ ltac:(lra) L0).
-assert (N0 := product l (T - l0) _ (1001 / 1000 * T) D ltac:(unfold u in *; lra)).
-replace (h * (u * T)) with (u * x) in M0 by (rewrite <- ET; ring).
-replace (1001 / 1000 * u * h * (1001 / 1000 * T)) with (1001 / 1000 * 1001 / 1000 * u * x) in N0
-  by (rewrite <- ET; field).
-replace (h * (T - l0)) with (x - h * l0) by (rewrite <- ET; ring).
-set (m0 := h * l0) in *; set (n0 := l * (T - l0)) in *.
-assert (Em : h * l0 = m0) by reflexivity; assert (En : l * (T - l0) = n0) by reflexivity.
-clearbody m0 n0; unfold u in *.
-round_off (x - m0) (1001 / 1000 * x) l1.
-round_off (n0 + l1) (2004 / 1000 / 9007199254740992 * x) l2.
-round_off (x - m0 - l1 + (n0 + l1 - l2)) (1001 / 1000 * x) l3.
-round_off (x - (x - m0 - l1 + (n0 + l1 - l2) - l3)) (31 / 10 / 9007199254740992 * x) l4.
-round_off (x - (x - m0 - l1 + (n0 + l1 - l2) - l3) - l4 - l3) (21 / 10 / 9007199254740992 * x) l5.
-set (d := x - (x - m0 - l1 + (n0 + l1 - l2) - l3) - l4 - l3 - l5) in *.
-assert (Dd : - (22 / 10 / 9007199254740992 * x) <= d <= 22 / 10 / 9007199254740992 * x)
-  by (unfold d; lra).
-assert (Ed : d / h * h = d) by (field; lra).
-assert (Df : - (22 / 10 / 9007199254740992 * T) <= d / h <= 22 / 10 / 9007199254740992 * T).
-{ split; apply (Rmult_le_reg_r h); try exact H; rewrite Ed; lra. }
-set (f := d / h) in *; clearbody f.
-round_off f (22 / 10 / 9007199254740992 * T) l6.
-assert (Q1 := product l6 h (22 / 10 / 9007199254740992 / 9007199254740992 * T) h ltac:(lra)
-  ltac:(lra)).
-assert (Q2 := product l (f - l6) _ (23 / 10 / 9007199254740992 * T) D ltac:(lra)).
-replace (22 / 10 / 9007199254740992 / 9007199254740992 * T * h) with
-  (22 / 10 / 9007199254740992 / 9007199254740992 * x) in Q1 by (rewrite <- ET; field).
-replace (1001 / 1000 * / 9007199254740992 * h * (23 / 10 / 9007199254740992 * T)) with
-  (1001 / 1000 * 23 / 10 / 9007199254740992 / 9007199254740992 * x) in Q2
-  by (rewrite <- ET; field).
-replace ((T - l0 + (f - l6)) * (h + l) - x) with
-  (- m0 + n0 + d - l6 * h + l * (f - l6)) by (rewrite <- Em, <- En, <- ET, <- Ed; ring).
-set (k1 := l6 * h) in *; set (k2 := l * (f - l6)) in *; clearbody k1 k2.
-unfold d; bound.
-Qed.
-
-Definition dd_add_d (x : R * R) (y : R) :=
-  normal (rnd (fst x + y) + rnd (snd x + low (fst x + y))).
-Definition dd_negate (x : R * R) := (- fst x, - snd x).
 
 (* A velocity v of mass m, changed by k w and rounded: m n is off by its last rounding, and by some
    u^2 of what the momentum was and is. *)
@@ -147,15 +43,9 @@ assert (Mx : Rabs (m * total x - mu * om) <= 20 * u * u * Om).
     by (apply Rmult_le_compat_r; [apply Rabs_pos | apply Rabs_le; exact E]).
   unfold Om, u in *; lra. }
 (* the sum and its rounding *)
-assert (Xs : Rabs (fst x) <= 1001 / 1000 * Rabs (total x)).
-{ clear - D; unfold total, is_dd, u in *; revert D; unfold Rabs; repeat destruct Rcase_abs; lra. }
 set (t := rnd (fst x + v) + rnd (snd x + low (fst x + v))).
-assert (T : Rabs (t - (total x + v)) <= 11 / 10 * u * u * (3 * Rabs (total x) + Rabs v)).
-{ unfold t; clear - D Xs; unfold total, is_dd in *; set (h := fst x) in *; set (l := snd x) in *.
-  clearbody h l; set (s := Rabs (h + l)) in *; clearbody s; unfold u in *.
-  apply Rabs_le_inv in D; size h p; size v q.
-  round_off (h + v) (p + q) l1.
-  round_off (l + l1) (/ 9007199254740992 * (1001 / 1000 * p + p + q)) l2; bound. }
+assert (T := dd_add_d_is_close x v D); unfold dd_add_d in T.
+rewrite (proj2 (normal_is_dd _)) in T; fold t in T.
 assert (N : n = t - low t) by exact (rounded t).
 assert (Lt := low_own t); assert (Ln : Rabs (low t) <= u * (1 + 2 * u) * Rabs n).
 { rewrite N; set (l := low t) in *; clearbody l t; revert Lt.
@@ -202,7 +92,7 @@ Qed.
 (* pair_make's k1, k2 and pair_kick's velocities, a component: the pair's momentum is off by 2u of
    the larger m |v|, before or after, but for 2^-46 of that. *)
 Theorem momentum m1 m2 w v1 v2 Z : 0 < m1 -> 0 < m2 -> is_dd w ->
-  let sum := normal (m1 + m2) in let k1 := dd_div m2 sum in let k2 := dd_div m1 sum in
+  let sum := normal (m1 + m2) in let k1 := dd_div (m2, 0) sum in let k2 := dd_div (m1, 0) sum in
   let n1 := fst (dd_add_d (dd_mul k1 w) v1) in
   let n2 := fst (dd_add_d (dd_mul k2 (dd_negate w)) v2) in
   m1 * Rabs v1 <= Z -> m1 * Rabs n1 <= Z -> m2 * Rabs v2 <= Z -> m2 * Rabs n2 <= Z ->
@@ -213,8 +103,8 @@ destruct (normal_is_dd (m1 + m2)) as [Ds Ts]; fold sum in Ds, Ts.
 assert (Fs : 0 < fst sum).
 { unfold sum, normal; cbn [fst]; rewrite (rounded (m1 + m2)).
   assert (L := low_small (m1 + m2) (m1 + m2) ltac:(lra)); unfold u in *; lra. }
-destruct (dd_div_is_close m2 sum M2 Fs Ds) as [D1 E1]; fold k1 in D1, E1; rewrite Ts in E1.
-destruct (dd_div_is_close m1 sum M1 Fs Ds) as [D2 E2]; fold k2 in D2, E2; rewrite Ts in E2.
+destruct (dd_div_of_double m2 sum M2 Fs Ds) as [D1 E1]; fold k1 in D1, E1; rewrite Ts in E1.
+destruct (dd_div_of_double m1 sum M1 Fs Ds) as [D2 E2]; fold k2 in D2, E2; rewrite Ts in E2.
 set (mu := m1 * m2 / (m1 + m2)).
 assert (Mm : 0 < m1 * m2) by (apply Rmult_lt_0_compat; assumption).
 assert (Mu : 0 < mu) by (apply Rdiv_lt_0_compat; lra).
