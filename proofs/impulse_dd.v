@@ -7,28 +7,30 @@ From Flocq Require Import Core.
 From Brink Require Import rounding.
 Open Scope R_scope.
 
-(* A double-double as two_sum leaves it. *)
-Definition is_dd (x : R * R) := Rabs (snd x) <= 1001 / 1000 * u * Rabs (fst x).
-Definition total (x : R * R) := fst x + snd x.
-Definition normal s := (rnd s, low s). (* fast_two_sum of what sums up to s *)
+Record dd := Dd { hi : R; lo : R }.
+
+(* As two_sum leaves it. *)
+Definition is_dd (x : dd) := Rabs (lo x) <= 1001 / 1000 * u * Rabs (hi x).
+Definition total (x : dd) := hi x + lo x.
+Definition normal s := Dd (rnd s) (low s). (* fast_two_sum of what sums up to s *)
 
 Lemma normal_is_dd s : is_dd (normal s) /\ total (normal s) = s.
 Proof.
-unfold is_dd, total, normal; cbn [fst snd]; assert (H := low_own s); rewrite (rounded s).
+unfold is_dd, total, normal; cbn [hi lo]; assert (H := low_own s); rewrite (rounded s).
 set (l := low s) in *; clearbody l; split; [| ring].
 revert H; unfold u, Rabs; repeat destruct Rcase_abs; intros; lra.
 Qed.
 
-Definition dd_mul (x y : R * R) := let p := fst x * fst y in
+Definition dd_mul (x y : dd) := let p := hi x * hi y in
   normal (rnd p + rnd (low p +
-    rnd (snd x * fst y + rnd (fst x * snd y + rnd (snd x * snd y))))).
+    rnd (lo x * hi y + rnd (hi x * lo y + rnd (lo x * lo y))))).
 
 (* 6.1u^2, and fast_two_sum's condition. *)
 Theorem dd_mul_is_close x y : is_dd x -> is_dd y ->
-  Rabs (total (dd_mul x y) - total x * total y) <= 62 / 10 * u * u * Rabs (fst x * fst y) /\
+  Rabs (total (dd_mul x y) - total x * total y) <= 62 / 10 * u * u * Rabs (hi x * hi y) /\
   is_dd (dd_mul x y).
 Proof.
-destruct x as [xh xl], y as [yh yl]; unfold dd_mul, is_dd at 1 2, total at 2 3; cbn [fst snd].
+destruct x as [xh xl], y as [yh yl]; unfold dd_mul, is_dd at 1 2, total at 2 3; cbn [hi lo].
 intros X Y; set (s := rnd (xh * yh) + _); destruct (normal_is_dd s) as [N ->]; split; [| exact N].
 unfold s; clear s N.
 assert (Hx : - (1001 / 1000 * u * Rabs xh) <= xl <= 1001 / 1000 * u * Rabs xh)
@@ -54,13 +56,13 @@ round_off (l0 + (lh + (hl + (ll - l1) - l2) - l3)) (3006 / 1000 / 90071992547409
 bound.
 Qed.
 
-Definition dd_mul_d (x : R * R) (y : R) :=
-  normal (rnd (fst x * y) + rnd (snd x * y + low (fst x * y))).
+Definition dd_mul_d (x : dd) (y : R) :=
+  normal (rnd (hi x * y) + rnd (lo x * y + low (hi x * y))).
 
 Theorem dd_mul_d_is_close x y : is_dd x ->
-  Rabs (total (dd_mul_d x y) - total x * y) <= 21 / 10 * u * u * Rabs (fst x * y).
+  Rabs (total (dd_mul_d x y) - total x * y) <= 21 / 10 * u * u * Rabs (hi x * y).
 Proof.
-destruct x as [xh xl]; unfold dd_mul_d, is_dd, total at 2; cbn [fst snd]; intro X.
+destruct x as [xh xl]; unfold dd_mul_d, is_dd, total at 2; cbn [hi lo]; intro X.
 destruct (normal_is_dd (rnd (xh * y) + rnd (xl * y + low (xh * y)))) as [_ ->].
 assert (Hx := Rabs_le_inv _ _ X); assert (Sy := Rabs_le_inv y _ (Rle_refl _)).
 assert (P := product _ _ _ _ Hx Sy).
@@ -71,17 +73,17 @@ set (l := xl * y) in *; set (h := xh * y) in *; clearbody l h; unfold u in *; si
 round_off h p l0; round_off (l + l0) (2002 / 1000 / 9007199254740992 * p) l1; bound.
 Qed.
 
-Definition dd_add (x y : R * R) :=
-  let s := normal (fst x + fst y) in let t := normal (snd x + snd y) in
-  let v := normal (fst s + rnd (snd s + fst t)) in normal (fst v + rnd (snd t + snd v)).
+Definition dd_add (x y : dd) :=
+  let s := normal (hi x + hi y) in let t := normal (lo x + lo y) in
+  let v := normal (hi s + rnd (lo s + hi t)) in normal (hi v + rnd (lo t + lo v)).
 
 (* Of the terms, not of the sum: so for any signs. *)
 Theorem dd_add_is_close x y : is_dd x -> is_dd y ->
   Rabs (total (dd_add x y) - (total x + total y)) <=
-    31 / 10 * u * u * (Rabs (fst x) + Rabs (fst y)).
+    31 / 10 * u * u * (Rabs (hi x) + Rabs (hi y)).
 Proof.
 destruct x as [xh xl], y as [yh yl]; intros X Y; unfold dd_add; cbv zeta.
-rewrite (proj2 (normal_is_dd _)); unfold is_dd, total, normal in *; cbn [fst snd] in *.
+rewrite (proj2 (normal_is_dd _)); unfold is_dd, total, normal in *; cbn [hi lo] in *.
 apply Rabs_le_inv in X; apply Rabs_le_inv in Y; unfold u in *; size xh p; size yh q.
 round_off (xh + yh) (p + q) l0; round_off (xl + yl) (1001 / 1000 / 9007199254740992 * (p + q)) l1.
 round_off (l0 + (xl + yl - l1)) (2002 / 1000 / 9007199254740992 * (p + q)) l2.
@@ -90,17 +92,17 @@ round_off (l1 + l3) (1002 / 1000 / 9007199254740992 * (p + q)) l4; bound.
 Qed.
 
 (* dd_div: q and what is left over of it. *)
-Definition dd_div (x y : R * R) :=
-  let q := rnd (fst x / fst y) in let p := fst y * q in
-  let r := rnd p + rnd (snd y * q + low p) in
-  normal (q + rnd (rnd (rnd (fst x - rnd r) + rnd (snd x - low r)) / fst y)).
+Definition dd_div (x y : dd) :=
+  let q := rnd (hi x / hi y) in let p := hi y * q in
+  let r := rnd p + rnd (lo y * q + low p) in
+  normal (q + rnd (rnd (rnd (hi x - rnd r) + rnd (lo x - low r)) / hi y)).
 
-Theorem dd_div_is_close x y z : is_dd x -> Rabs (snd x) <= z -> 0 < fst y -> is_dd y ->
+Theorem dd_div_is_close x y z : is_dd x -> Rabs (lo x) <= z -> 0 < hi y -> is_dd y ->
   Rabs (total (dd_div x y) * total y - total x) <=
-    13 * u * u * Rabs (fst x) + 41 / 10 * u * z.
+    13 * u * u * Rabs (hi x) + 41 / 10 * u * z.
 Proof.
-destruct x as [x xl], y as [h l]; unfold is_dd, total at 2 3; cbn [fst snd]; intros X Z H D.
-unfold dd_div; cbn [fst snd]; cbv zeta.
+destruct x as [x xl], y as [h l]; unfold is_dd, total at 2 3; cbn [hi lo]; intros X Z H D.
+unfold dd_div; cbn [hi lo]; cbv zeta.
 match goal with |- Rabs (total (normal ?s) * _ - _) <= _ => destruct (normal_is_dd s) as [_ ->] end.
 rewrite (Rabs_pos_eq h) in D by lra; apply Rabs_le_inv in D.
 set (T := x / h); assert (ET : h * T = x) by (unfold T; field; lra).
@@ -164,26 +166,26 @@ set (k1 := l6 * h) in *; set (k2 := l * (f - l6)) in *; clearbody k1 k2.
 unfold d; bound.
 Qed.
 
-Lemma dd_div_of_double x y : 0 < x -> 0 < fst y -> is_dd y -> is_dd (dd_div (x, 0) y) /\
-  Rabs (total (dd_div (x, 0) y) * total y - x) <= 13 * u * u * x.
+Lemma dd_div_of_double x y : 0 < x -> 0 < hi y -> is_dd y -> is_dd (dd_div (Dd x 0) y) /\
+  Rabs (total (dd_div (Dd x 0) y) * total y - x) <= 13 * u * u * x.
 Proof.
 intros X F Y; split; [apply normal_is_dd |].
-assert (Z : is_dd (x, 0)).
-{ unfold is_dd; cbn [fst snd]; rewrite Rabs_R0; apply Rmult_le_pos; [unfold u; lra |].
+assert (Z : is_dd (Dd x 0)).
+{ unfold is_dd; cbn [hi lo]; rewrite Rabs_R0; apply Rmult_le_pos; [unfold u; lra |].
   apply Rabs_pos. }
-assert (K := dd_div_is_close (x, 0) y 0 Z ltac:(cbn [snd]; rewrite Rabs_R0; lra) F Y).
-cbn [fst] in K; rewrite (Rabs_pos_eq x) in K by lra.
-replace (total (x, 0)) with x in K by (unfold total; cbn [fst snd]; ring); lra.
+assert (K := dd_div_is_close (Dd x 0) y 0 Z ltac:(cbn [lo]; rewrite Rabs_R0; lra) F Y).
+cbn [hi] in K; rewrite (Rabs_pos_eq x) in K by lra.
+replace (total (Dd x 0)) with x in K by (unfold total; cbn [hi lo]; ring); lra.
 Qed.
 
-Definition dd_sqrt (x : R * R) := let s := rnd (sqrt (fst x)) in
-  normal (s + rnd (rnd (rnd (fst x - s * s) + snd x) / (2 * s))).
+Definition dd_sqrt (x : dd) := let s := rnd (sqrt (hi x)) in
+  normal (s + rnd (rnd (rnd (hi x - s * s) + lo x) / (2 * s))).
 
-Theorem dd_sqrt_is_close x : 0 < fst x -> is_dd x -> 0 < total (dd_sqrt x) /\
-  Rabs (total (dd_sqrt x) * total (dd_sqrt x) - total x) <= 11 * u * u * fst x.
+Theorem dd_sqrt_is_close x : 0 < hi x -> is_dd x -> 0 < total (dd_sqrt x) /\
+  Rabs (total (dd_sqrt x) * total (dd_sqrt x) - total x) <= 11 * u * u * hi x.
 Proof.
-destruct x as [h l]; unfold is_dd, total at 4; cbn [fst snd]; intros H D.
-unfold dd_sqrt; cbn [fst snd]; cbv zeta.
+destruct x as [h l]; unfold is_dd, total at 4; cbn [hi lo]; intros H D.
+unfold dd_sqrt; cbn [hi lo]; cbv zeta.
 match goal with |- 0 < total (normal ?s) /\ _ => destruct (normal_is_dd s) as [_ ->] end.
 rewrite (Rabs_pos_eq h) in D by lra; apply Rabs_le_inv in D.
 assert (S0 := sqrt_lt_R0 _ H); assert (SS := sqrt_sqrt h ltac:(lra)).
@@ -224,14 +226,14 @@ rewrite Ed, Es; set (x3 := f * f) in *; set (x4 := (2 * s + 2 * f - l3) * l3) in
 clearbody x3 x4 h; unfold d; bound.
 Qed.
 
-Definition dd_add_d (x : R * R) (y : R) :=
-  normal (rnd (fst x + y) + rnd (snd x + low (fst x + y))).
+Definition dd_add_d (x : dd) (y : R) :=
+  normal (rnd (hi x + y) + rnd (lo x + low (hi x + y))).
 
 Theorem dd_add_d_is_close x y : is_dd x ->
   Rabs (total (dd_add_d x y) - (total x + y)) <=
     11 / 10 * u * u * (3 * Rabs (total x) + Rabs y).
 Proof.
-destruct x as [h l]; unfold is_dd, dd_add_d, total at 2 3; cbn [fst snd]; intro D.
+destruct x as [h l]; unfold is_dd, dd_add_d, total at 2 3; cbn [hi lo]; intro D.
 match goal with |- Rabs (total (normal ?s) - _) <= _ => destruct (normal_is_dd s) as [_ ->] end.
 assert (Xs : Rabs h <= 1001 / 1000 * Rabs (h + l)).
 { revert D; unfold u, Rabs; repeat destruct Rcase_abs; lra. }
@@ -241,7 +243,7 @@ round_off (h + y) (p + q) l1.
 round_off (l + l1) (/ 9007199254740992 * (1001 / 1000 * p + p + q)) l2; bound.
 Qed.
 
-Definition dd_negate (x : R * R) := (- fst x, - snd x).
+Definition dd_negate (x : dd) := Dd (- hi x) (- lo x).
 
 (* --- To some u^2 of itself ---------------------------------------------------- *)
 
@@ -304,17 +306,17 @@ replace ((a + b + / 1000) * (u * (u * Rabs y))) with
 unfold Rminus in *; unfold u in *; lra.
 Qed.
 
-Lemma dd_size x : is_dd x -> Rabs (fst x) <= 1001 / 1000 * Rabs (total x) /\
-  Rabs (snd x) <= 1002 / 1000 * u * Rabs (total x).
+Lemma dd_size x : is_dd x -> Rabs (hi x) <= 1001 / 1000 * Rabs (total x) /\
+  Rabs (lo x) <= 1002 / 1000 * u * Rabs (total x).
 Proof.
-destruct x as [h l]; unfold is_dd, total; cbn [fst snd].
+destruct x as [h l]; unfold is_dd, total; cbn [hi lo].
 unfold u, Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
-Lemma dd_sign x : is_dd x -> (0 < fst x <-> 0 < total x) /\ (fst x < 0 <-> total x < 0) /\
-  999 / 1000 * Rabs (fst x) <= Rabs (total x) /\ Rabs (total x) <= 1001 / 1000 * Rabs (fst x).
+Lemma dd_sign x : is_dd x -> (0 < hi x <-> 0 < total x) /\ (hi x < 0 <-> total x < 0) /\
+  999 / 1000 * Rabs (hi x) <= Rabs (total x) /\ Rabs (total x) <= 1001 / 1000 * Rabs (hi x).
 Proof.
-destruct x as [h l]; unfold is_dd, total; cbn [fst snd]; intro D.
+destruct x as [h l]; unfold is_dd, total; cbn [hi lo]; intro D.
 repeat split; revert D; unfold u, Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
@@ -323,7 +325,7 @@ Lemma dd_mul_near x y : is_dd x -> is_dd y ->
 Proof.
 intros X Y; destruct (dd_mul_is_close x y X Y) as [E _]; unfold near.
 apply Rle_trans with (1 := E); rewrite !Rabs_mult.
-assert (Rabs (fst x) * Rabs (fst y) <=
+assert (Rabs (hi x) * Rabs (hi y) <=
   1001 / 1000 * Rabs (total x) * (1001 / 1000 * Rabs (total y)))
   by (apply Rmult_le_compat; try apply Rabs_pos; now apply dd_size).
 assert (0 <= Rabs (total x) * Rabs (total y)) by (apply Rmult_le_pos; apply Rabs_pos).
@@ -334,13 +336,13 @@ Lemma dd_mul_d_near x y : is_dd x -> near (22 / 10) (total (dd_mul_d x y)) (tota
 Proof.
 intro X; assert (E := dd_mul_d_is_close x y X); unfold near.
 apply Rle_trans with (1 := E); rewrite !Rabs_mult.
-assert (Rabs (fst x) * Rabs y <= 1001 / 1000 * Rabs (total x) * Rabs y)
+assert (Rabs (hi x) * Rabs y <= 1001 / 1000 * Rabs (total x) * Rabs y)
   by (apply Rmult_le_compat_r; [apply Rabs_pos | now apply dd_size]).
 assert (0 <= Rabs (total x) * Rabs y) by (apply Rmult_le_pos; apply Rabs_pos).
 unfold u; lra.
 Qed.
 
-Lemma dd_div_near x y : is_dd x -> 0 < fst y -> is_dd y ->
+Lemma dd_div_near x y : is_dd x -> 0 < hi y -> is_dd y ->
   near (172 / 10) (total (dd_div x y) * total y) (total x).
 Proof.
 intros X P Y; assert (E := dd_div_is_close x y _ X (Rle_refl _) P Y).
@@ -356,22 +358,23 @@ destruct (dd_size x X) as [H _], (dd_size y Y) as [H' _].
 assert (N := Rabs_pos (total x)); assert (N' := Rabs_pos (total y)); unfold u in *; lra.
 Qed.
 
-Definition zero := (0, 0).
-Definition sum3 x y z := dd_add (dd_add (dd_add zero x) y) z.
+Definition zero := Dd 0 0.
+Definition sum3 (x y z : dd) := dd_add (dd_add (dd_add zero x) y) z.
 
 Lemma sum3_is_close x y z : is_dd x -> is_dd y -> is_dd z ->
   Rabs (total (sum3 x y z) - (total x + total y + total z)) <=
     97 / 10 * u * u * (Rabs (total x) + Rabs (total y) + Rabs (total z)).
 Proof.
 intros X Y Z; unfold sum3.
-assert (O : is_dd zero) by (unfold is_dd, zero; cbn [fst snd]; rewrite Rabs_R0; lra).
+assert (O : is_dd zero) by (unfold is_dd, zero; cbn [hi lo]; rewrite Rabs_R0; lra).
 assert (A := dd_add_sizes zero x O X); assert (Dx : is_dd (dd_add zero x)) by apply normal_is_dd.
 assert (B := dd_add_sizes _ y Dx Y); assert (Dy : is_dd (dd_add (dd_add zero x) y))
   by apply normal_is_dd.
 assert (C := dd_add_sizes _ z Dy Z).
-replace (total zero) with 0 in A by (unfold total, zero; cbn [fst snd]; ring).
+replace (total zero) with 0 in A by (unfold total, zero; cbn [hi lo]; ring).
 rewrite Rabs_R0 in A; set (s := total (dd_add zero x)) in *.
-set (t := total (dd_add (dd_add zero x) y)) in *; set (w := total (dd_add (dd_add (dd_add zero x) y) z)) in *.
+set (t := total (dd_add (dd_add zero x) y)) in *.
+set (w := total (dd_add (dd_add (dd_add zero x) y) z)) in *.
 set (a := total x) in *; set (b := total y) in *; set (c := total z) in *.
 clearbody s t w a b c; clear - A B C.
 assert (S : Rabs s <= Rabs (s - (0 + a)) + Rabs a)

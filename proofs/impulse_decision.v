@@ -8,23 +8,23 @@ From Brink Require Import rounding impulse_dd.
 Open Scope R_scope.
 
 Section Pair.
-Variables x0 x1 x2 p0 p1 p2 q0 q1 q2 m1 m2 : R. (* r, v1, v2 *)
+Variables r0 r1 r2 p0 p1 p2 q0 q1 q2 m1 m2 : R. (* r, v1, v2 *)
 
 (* pair_make() *)
 Definition v0 := normal (p0 - q0).
 Definition v1 := normal (p1 - q1).
 Definition v2 := normal (p2 - q2).
-Definition b := sum3 (dd_mul_d v0 x0) (dd_mul_d v1 x1) (dd_mul_d v2 x2).
-Definition rr := sum3 (normal (x0 * x0)) (normal (x1 * x1)) (normal (x2 * x2)).
+Definition b := sum3 (dd_mul_d v0 r0) (dd_mul_d v1 r1) (dd_mul_d v2 r2).
+Definition rr := sum3 (normal (r0 * r0)) (normal (r1 * r1)) (normal (r2 * r2)).
 Definition mass := normal (m1 + m2).
-Definition k1 := dd_div (m2, 0) mass.
-Definition k2 := dd_div (m1, 0) mass.
+Definition k1 := dd_div (Dd m2 0) mass.
+Definition k2 := dd_div (Dd m1 0) mass.
 Definition mu := dd_mul_d k1 m1.
 
 (* As they are meant. *)
-Let B := x0 * (p0 - q0) + x1 * (p1 - q1) + x2 * (p2 - q2).
-Let P := Rabs (x0 * (p0 - q0)) + Rabs (x1 * (p1 - q1)) + Rabs (x2 * (p2 - q2)).
-Let Q := x0 * x0 + x1 * x1 + x2 * x2.
+Let B := r0 * (p0 - q0) + r1 * (p1 - q1) + r2 * (p2 - q2).
+Let P := Rabs (r0 * (p0 - q0)) + Rabs (r1 * (p1 - q1)) + Rabs (r2 * (p2 - q2)).
+Let Q := r0 * r0 + r1 * r1 + r2 * r2.
 Let Mu := m1 * m2 / (m1 + m2).
 
 Lemma b_is_close : Rabs (total b - B) <= 12 * u * u * P.
@@ -33,13 +33,13 @@ assert (N : forall p q x, let y := dd_mul_d (normal (p - q)) x in
   is_dd y /\ near (22 / 10) (total y) (x * (p - q))).
 { intros p q x y; split; [apply normal_is_dd |]; destruct (normal_is_dd (p - q)) as [D E].
   assert (F := dd_mul_d_near (normal (p - q)) x D); rewrite E in F; rewrite Rmult_comm; exact F. }
-destruct (N p0 q0 x0) as [D0 N0], (N p1 q1 x1) as [D1 N1], (N p2 q2 x2) as [D2 N2].
+destruct (N p0 q0 r0) as [D0 N0], (N p1 q1 r1) as [D1 N1], (N p2 q2 r2) as [D2 N2].
 fold v0 in D0, N0; fold v1 in D1, N1; fold v2 in D2, N2.
 assert (S := sum3_is_close _ _ _ D0 D1 D2); fold b in S; unfold B, P, near in *.
-set (y0 := total (dd_mul_d v0 x0)) in *; set (y1 := total (dd_mul_d v1 x1)) in *.
-set (y2 := total (dd_mul_d v2 x2)) in *; set (s := total b) in *.
-set (z0 := x0 * (p0 - q0)) in *; set (z1 := x1 * (p1 - q1)) in *.
-set (z2 := x2 * (p2 - q2)) in *; clearbody y0 y1 y2 s z0 z1 z2; clear N D0 D1 D2.
+set (y0 := total (dd_mul_d v0 r0)) in *; set (y1 := total (dd_mul_d v1 r1)) in *.
+set (y2 := total (dd_mul_d v2 r2)) in *; set (s := total b) in *.
+set (z0 := r0 * (p0 - q0)) in *; set (z1 := r1 * (p1 - q1)) in *.
+set (z2 := r2 * (p2 - q2)) in *; clearbody y0 y1 y2 s z0 z1 z2; clear N D0 D1 D2.
 assert (L : forall y z, Rabs y <= Rabs (y - z) + Rabs z)
   by (intros; unfold Rabs; repeat destruct Rcase_abs; lra).
 assert (L0 := L y0 z0); assert (L1 := L y1 z1); assert (L2 := L y2 z2).
@@ -56,28 +56,28 @@ Qed.
 
 Lemma rr_is_close : near 10 (total rr) Q.
 Proof.
-assert (N := fun x => normal_is_dd (x * x)); destruct (N x0) as [D0 E0], (N x1) as [D1 E1].
-destruct (N x2) as [D2 E2]; assert (S := sum3_is_close _ _ _ D0 D1 D2); fold rr in S.
+assert (N := fun x => normal_is_dd (x * x)); destruct (N r0) as [D0 E0], (N r1) as [D1 E1].
+destruct (N r2) as [D2 E2]; assert (S := sum3_is_close _ _ _ D0 D1 D2); fold rr in S.
 rewrite E0, E1, E2 in S; fold Q in S; unfold near.
 assert (G : forall x, 0 <= x * x) by (intro; apply Rle_0_sqr).
 rewrite !(Rabs_pos_eq (_ * _)) in S by apply G; fold Q in S.
-assert (0 <= Q) by (unfold Q; generalize (G x0) (G x1) (G x2); lra).
+assert (0 <= Q) by (unfold Q; generalize (G r0) (G r1) (G r2); lra).
 rewrite (Rabs_pos_eq Q) by assumption; unfold u in *; lra.
 Qed.
 
 Hypotheses (M1 : 0 < m1) (M2 : 0 < m2).
 
-Lemma mass_is_dd : is_dd mass /\ total mass = m1 + m2 /\ 0 < fst mass.
+Lemma mass_is_dd : is_dd mass /\ total mass = m1 + m2 /\ 0 < hi mass.
 Proof.
 destruct (normal_is_dd (m1 + m2)) as [D E]; repeat split; try assumption.
-unfold mass, normal; cbn [fst]; rewrite (rounded (m1 + m2)).
+unfold mass, normal; cbn [hi]; rewrite (rounded (m1 + m2)).
 assert (L := low_small (m1 + m2) (m1 + m2) ltac:(lra)); unfold u in *; lra.
 Qed.
 
 Lemma Mu_pos : 0 < Mu.
 Proof. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra. Qed.
 
-Lemma mu_is_close : is_dd mu /\ near (154 / 10) (total mu) Mu /\ 0 < fst mu.
+Lemma mu_is_close : is_dd mu /\ near (154 / 10) (total mu) Mu /\ 0 < hi mu.
 Proof.
 destruct mass_is_dd as (D & E & F); assert (Pm := Mu_pos).
 destruct (dd_div_of_double m2 mass M2 F D) as [Dk K]; fold k1 in Dk, K; rewrite E in K.
@@ -103,7 +103,7 @@ Qed.
 Variables way rise top : R. (* way 1 or -1; top: 2^900, for all rises that are higher *)
 Hypothesis Way : way = 1 \/ way = -1.
 
-Definition s := (way * fst b, way * snd b). (* by 1 or -1: exact *)
+Definition s := Dd (way * hi b) (way * lo b). (* by 1 or -1: exact *)
 Definition ss := dd_mul s s.
 Definition loss := dd_div (dd_mul_d rr (2 * Rmin rise top)) mu.
 Definition rest := dd_add ss (dd_negate loss).
@@ -119,7 +119,7 @@ Proof.
 assert (D : is_dd b) by apply normal_is_dd; assert (C := b_is_close).
 assert (W : forall x, Rabs (way * x) = Rabs x).
 { intro; rewrite Rabs_mult, way_size; ring. }
-unfold is_dd, total, s in *; cbn [fst snd]; rewrite !W; split; [exact D |].
+unfold is_dd, total, s in *; cbn [hi lo]; rewrite !W; split; [exact D |].
 unfold S; rewrite <- Rmult_plus_distr_l, <- Rmult_minus_distr_l, W; exact C.
 Qed.
 
@@ -149,15 +149,16 @@ Lemma rest_is_close : is_dd rest /\ Rabs S <= P /\
 Proof.
 destruct s_is_close as [Ds Cs], loss_is_close as [Dl Nl]; split; [apply normal_is_dd |].
 assert (Sp : Rabs S <= P).
-{ unfold S, P, B; rewrite Rabs_mult, way_size, Rmult_1_l; eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_r.
+{ unfold S, P, B; rewrite Rabs_mult, way_size, Rmult_1_l.
+  eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_r.
   apply Rabs_triang. }
 split; [exact Sp |].
 assert (Nq := dd_mul_near s s Ds Ds); fold ss in Nq; assert (Dq : is_dd ss) by apply normal_is_dd.
 assert (Dn : is_dd (dd_negate loss)).
-{ unfold is_dd, dd_negate in *; cbn [fst snd]; rewrite !Rabs_Ropp; exact Dl. }
+{ unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact Dl. }
 assert (C := dd_add_sizes ss (dd_negate loss) Dq Dn); fold rest in C.
 assert (E : total (dd_negate loss) = - total loss)
-  by (unfold total, dd_negate; cbn [fst snd]; ring).
+  by (unfold total, dd_negate; cbn [hi lo]; ring).
 rewrite E, Rabs_Ropp in C; clear E.
 assert (Zl := near_size _ _ _ Nl ltac:(lra)); assert (Zq := near_size _ _ _ Nq ltac:(lra)).
 unfold near in *; set (t := total s) in *; set (c := total ss) in *; set (l := total loss) in *.
@@ -195,14 +196,14 @@ Hypothesis Top : 2 ^ 130 <= top.
 
 (* The filter: 2^-87 + 2^-98 of the loss. *)
 Definition margin := rnd (/ 154742504910672534362390528 + / 316912650057057350374175801344 *
-  Rabs (fst loss)).
+  Rabs (hi loss)).
 
 Theorem filter_is_right :
-  (margin < fst rest -> 0 < surplus) /\ (margin < - fst rest -> surplus < 0).
+  (margin < hi rest -> 0 < surplus) /\ (margin < - hi rest -> surplus < 0).
 Proof.
 destruct rest_is_close as (Dr & Sp & C), loss_is_close as [Dl Nl].
 assert (Z := near_size _ _ _ Nl ltac:(lra)); destruct (dd_sign loss Dl) as (_ & _ & _ & Hl).
-assert (Hl' : 998 / 1000 * Rabs L <= Rabs (fst loss)).
+assert (Hl' : 998 / 1000 * Rabs L <= Rabs (hi loss)).
 { clear - Z Hl; unfold u in *; lra. }
 assert (P0 : 0 <= P) by (apply Rle_trans with (2 := Sp), Rabs_pos).
 assert (P2 : P * P <= 96 * 96) by (apply Rmult_le_compat; lra).
@@ -241,7 +242,7 @@ assert (H : Rmin rise top = rise \/ (Rmin rise top = top /\ top <= rise /\
   assert (2 * top * Q / Mu * Mu <= 2 * top * Q / Mu * 4) by (apply Rmult_le_compat_l; lra).
   lra. }
 split; intro F.
-- assert (E : Rabs (fst rest) = fst rest) by (apply Rabs_pos_eq; lra).
+- assert (E : Rabs (hi rest) = hi rest) by (apply Rabs_pos_eq; lra).
   assert (0 < total rest) by (apply Pr; lra); rewrite E in Hr.
   rewrite (Rabs_pos_eq (total rest)) in Hr by lra; apply Rabs_le_inv in C.
   assert (A : 0 < S * S - L) by lra.
@@ -249,7 +250,7 @@ split; intro F.
   destruct H as [H | (H & _ & [O | H'])]; [| | lra].
   + unfold L in A; rewrite H in A; exact A.
   + rewrite O; unfold L in A; rewrite O in A; unfold Rdiv in *; lra.
-- assert (E : Rabs (fst rest) = - fst rest) by (apply Rabs_left; lra).
+- assert (E : Rabs (hi rest) = - hi rest) by (apply Rabs_left; lra).
   assert (total rest < 0) by (apply Nr; lra); rewrite E in Hr.
   rewrite (Rabs_left (total rest)) in Hr by lra; apply Rabs_le_inv in C.
   assert (S * S - L < 0) by lra.

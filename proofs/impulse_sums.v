@@ -8,42 +8,45 @@ From Flocq Require Import Core.
 From Brink Require Import rounding impulse_dd.
 Open Scope R_scope.
 
+(* pair_kick(): hi is the velocity, lo what its rounding takes. *)
+Definition kicked (k w : dd) (v : R) := dd_add_d (dd_mul k w) v.
+
 (* A velocity v of mass m, changed by k w and rounded: m n is off by its last rounding, and by some
    u^2 of what the momentum was and is. *)
 Lemma one_mass m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
   Rabs (m * total k - mu) <= 13 * u * u * mu ->
-  let n := fst (dd_add_d (dd_mul k w) v) in
+  let n := hi (kicked k w v) in
   Rabs (m * n - m * v - mu * total w) <=
     u * (m * Rabs n) + 30 * u * u * (m * Rabs n + m * Rabs v).
 Proof.
-intros M Mu K W E n; destruct (dd_mul_is_close k w K W) as [C D].
+intros M Mu K W E n; unfold kicked in n; destruct (dd_mul_is_close k w K W) as [C D].
 set (x := dd_mul k w) in *; set (om := total w) in *; set (kt := total k) in *.
 apply Rabs_le_inv in E.
 (* sizes, all as parts of mu |om| *)
 set (Om := mu * Rabs om); assert (O0 : 0 <= Om) by (apply Rmult_le_pos; [lra | apply Rabs_pos]).
-assert (Lk : Rabs (fst k) <= 1001 / 1000 * Rabs kt).
+assert (Lk : Rabs (hi k) <= 1001 / 1000 * Rabs kt).
 { unfold kt, total, is_dd, u in *; revert K; unfold Rabs; repeat destruct Rcase_abs; lra. }
-assert (Lw : Rabs (fst w) <= 1001 / 1000 * Rabs om).
+assert (Lw : Rabs (hi w) <= 1001 / 1000 * Rabs om).
 { unfold om, total, is_dd, u in *; revert W; unfold Rabs; repeat destruct Rcase_abs; lra. }
 assert (Mk : Rabs (m * kt) <= 1001 / 1000 * mu) by (apply Rabs_le; unfold u in *; lra).
 assert (MKO : m * Rabs (kt * om) <= 1001 / 1000 * Om).
 { replace (m * Rabs (kt * om)) with (Rabs (m * kt) * Rabs om)
     by (rewrite !Rabs_mult, (Rabs_pos_eq m) by lra; ring).
   unfold Om; rewrite <- Rmult_assoc; apply Rmult_le_compat_r; [apply Rabs_pos | exact Mk]. }
-assert (MHH : m * Rabs (fst k * fst w) <= 1004 / 1000 * Om).
+assert (MHH : m * Rabs (hi k * hi w) <= 1004 / 1000 * Om).
 { rewrite Rabs_mult; apply Rle_trans with (m * (1001 / 1000 * Rabs kt * (1001 / 1000 * Rabs om))).
   - apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat; try apply Rabs_pos; assumption.
   - rewrite Rabs_mult in MKO; lra. }
 assert (Mx : Rabs (m * total x - mu * om) <= 20 * u * u * Om).
 { replace (m * total x - mu * om) with (m * (total x - kt * om) + (m * kt - mu) * om) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _); rewrite !Rabs_mult, (Rabs_pos_eq m) by lra.
-  assert (m * Rabs (total x - kt * om) <= m * (62 / 10 * u * u * Rabs (fst k * fst w)))
+  assert (m * Rabs (total x - kt * om) <= m * (62 / 10 * u * u * Rabs (hi k * hi w)))
     by (apply Rmult_le_compat_l; [lra | exact C]).
   assert (Rabs (m * kt - mu) * Rabs om <= 13 * u * u * mu * Rabs om)
     by (apply Rmult_le_compat_r; [apply Rabs_pos | apply Rabs_le; exact E]).
   unfold Om, u in *; lra. }
 (* the sum and its rounding *)
-set (t := rnd (fst x + v) + rnd (snd x + low (fst x + v))).
+set (t := rnd (hi x + v) + rnd (lo x + low (hi x + v))).
 assert (T := dd_add_d_is_close x v D); unfold dd_add_d in T.
 rewrite (proj2 (normal_is_dd _)) in T; fold t in T.
 assert (N : n = t - low t) by exact (rounded t).
@@ -92,16 +95,16 @@ Qed.
 (* pair_make's k1, k2 and pair_kick's velocities, a component: the pair's momentum is off by 2u of
    the larger m |v|, before or after, but for 2^-46 of that. *)
 Theorem momentum m1 m2 w v1 v2 Z : 0 < m1 -> 0 < m2 -> is_dd w ->
-  let sum := normal (m1 + m2) in let k1 := dd_div (m2, 0) sum in let k2 := dd_div (m1, 0) sum in
-  let n1 := fst (dd_add_d (dd_mul k1 w) v1) in
-  let n2 := fst (dd_add_d (dd_mul k2 (dd_negate w)) v2) in
+  let sum := normal (m1 + m2) in let k1 := dd_div (Dd m2 0) sum in let k2 := dd_div (Dd m1 0) sum in
+  let n1 := hi (kicked k1 w v1) in
+  let n2 := hi (kicked k2 (dd_negate w) v2) in
   m1 * Rabs v1 <= Z -> m1 * Rabs n1 <= Z -> m2 * Rabs v2 <= Z -> m2 * Rabs n2 <= Z ->
   Rabs (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) <= 2 * u * (1 + / 70368744177664) * Z.
 Proof.
 intros M1 M2 W sum k1 k2 n1 n2 V1 N1 V2 N2.
 destruct (normal_is_dd (m1 + m2)) as [Ds Ts]; fold sum in Ds, Ts.
-assert (Fs : 0 < fst sum).
-{ unfold sum, normal; cbn [fst]; rewrite (rounded (m1 + m2)).
+assert (Fs : 0 < hi sum).
+{ unfold sum, normal; cbn [hi]; rewrite (rounded (m1 + m2)).
   assert (L := low_small (m1 + m2) (m1 + m2) ltac:(lra)); unfold u in *; lra. }
 destruct (dd_div_of_double m2 sum M2 Fs Ds) as [D1 E1]; fold k1 in D1, E1; rewrite Ts in E1.
 destruct (dd_div_of_double m1 sum M1 Fs Ds) as [D2 E2]; fold k2 in D2, E2; rewrite Ts in E2.
@@ -119,12 +122,12 @@ assert (Share : forall m o k, 0 < m -> m * o = m1 * m2 ->
     by (unfold mu; rewrite <- Eo; field; lra).
   rewrite Rabs_mult, (Rabs_pos_eq m) by lra; apply Rmult_le_compat_l; [lra | exact H]. }
 assert (Dw : is_dd (dd_negate w)).
-{ unfold is_dd, dd_negate in *; cbn [fst snd]; rewrite !Rabs_Ropp; exact W. }
+{ unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact W. }
 assert (O1 := one_mass m1 mu k1 w v1 M1 Mu D1 W (Share m1 m2 _ M1 eq_refl E1)).
 assert (O2 := one_mass m2 mu k2 (dd_negate w) v2 M2 Mu D2 Dw
   (Share m2 m1 _ M2 (Rmult_comm _ _) E2)).
 cbv zeta in O1, O2; fold n1 in O1; fold n2 in O2.
-assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [fst snd]; ring).
+assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [hi lo]; ring).
 rewrite Tn in O2.
 replace (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) with
   (m1 * n1 - m1 * v1 - mu * total w + (m2 * n2 - m2 * v2 - mu * - total w)) by ring.

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// What Coq is told impulse.c does is what it does.
+#include "transcribed/impulse_decision_v.h"
+#include "transcribed/impulse_sums_v.h"
+
+#define BRINK_PATH transcribed // its functions beside the library's
+// NOLINTNEXTLINE(bugprone-suspicious-include): for what is static there
+#include "../kernels/impulse.c"
+
+/** A pair, its components of any sizes near one another, b at times all but 0. */
+static void any_pair(stream *s, pair *p, double rise)
+{
+    double r[3], v1[3], v2[3];
+    for (int k = 0; k < 3; k++) {
+        r[k] = stream_scaled(s, -20, 20);
+        v1[k] = stream_scaled(s, -20, 20);
+        v2[k] = stream_scaled(s, -20, 20);
+    }
+    if (stream_int(s, 0, 1))
+        v1[2] = v2[2] - (r[0] * (v1[0] - v2[0]) + r[1] * (v1[1] - v2[1])) / r[2];
+    const double m1 = fabs(stream_scaled(s, -20, 20));
+    const double m2 = fabs(stream_scaled(s, -20, 20));
+    pair_make(p, r, m1, m2, rise, v1, v2, 0);
+}
+
+#define LENGTHS(p) (p).r[0], (p).r[1], (p).r[2]
+#define SPEEDS(p)  (p).v1[0], (p).v1[1], (p).v1[2], (p).v2[0], (p).v2[1], (p).v2[2]
+#define MASSES(p)  (p).m1, (p).m2
+#define NUMBERS(p) LENGTHS(p), SPEEDS(p), MASSES(p)
+
+START_TEST(a_pair_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        SAME_DD(impulse_decision_v_b(LENGTHS(p), SPEEDS(p)), p.b, NUMBERS(p));
+        SAME_DD(impulse_decision_v_rr(LENGTHS(p)), p.rr, NUMBERS(p));
+        SAME_DD(impulse_decision_v_k1(MASSES(p)), p.k1, NUMBERS(p));
+        SAME_DD(impulse_decision_v_k2(MASSES(p)), p.k2, NUMBERS(p));
+        SAME_DD(impulse_decision_v_mu(MASSES(p)), p.mu, NUMBERS(p));
+    }
+}
+END_TEST
+
+/** Of rises about as high as the pair can climb, or of any height. */
+START_TEST(a_decision_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        double rise = stream_scaled(&s, -80, 80);
+        if (stream_int(&s, 0, 1))
+            rise = stream_near(&s, p.mu.hi * p.b.hi * p.b.hi / (2 * p.rr.hi), 3);
+        const enum brink_direction way =
+            stream_int(&s, 0, 1) ? BRINK_INWARD : BRINK_OUTWARD;
+        const crossing c = crossing_of(&p, ldexp(rise, p.em + 2 * p.ev), way);
+        const double margin =
+            impulse_decision_v_margin(LENGTHS(p), MASSES(p), rise, 0x1p900);
+        SAME_DD(impulse_decision_v_loss(LENGTHS(p), MASSES(p), rise, 0x1p900),
+                c.loss, NUMBERS(p), rise);
+        SAME_DD(impulse_decision_v_rest(NUMBERS(p), way, rise, 0x1p900), c.rest,
+                NUMBERS(p), rise, way);
+        SAME(margin < fabs(c.rest.hi), is_decided(&c), NUMBERS(p), rise, way);
+    }
+}
+END_TEST
+
+/** Whatever the kick: a double-double. */
+START_TEST(a_kick_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        dd w[3];
+        for (int k = 0; k < 3; k++) {
+            const double hi = stream_scaled(&s, -20, 20);
+            w[k] = two_sum(hi, stream_scaled(&s, -60, -53) * hi);
+        }
+        double v1[3], v2[3];
+        pair_kick(&p, w, v1, v2);
+        for (int k = 0; k < 3; k++) {
+            const dd one = impulse_sums_v_kicked(p.k1, w[k], p.v1[k]);
+            const dd two = impulse_sums_v_kicked(p.k2, dd_negate(w[k]), p.v2[k]);
+            SAME(one.hi, ldexp(v1[k], -p.ev), NUMBERS(p), w[k].hi, w[k].lo);
+            SAME(two.hi, ldexp(v2[k], -p.ev), NUMBERS(p), w[k].hi, w[k].lo);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    return RUN_SUITE("impulse, transcribed", 120, a_pair_is_that_of_the_proof,
+                     a_decision_is_that_of_the_proof,
+                     a_kick_is_that_of_the_proof);
+}
