@@ -18,7 +18,6 @@ Definition b := sum3 (dd_mul_d v0 r0) (dd_mul_d v1 r1) (dd_mul_d v2 r2).
 Definition rr := sum3 (normal (r0 * r0)) (normal (r1 * r1)) (normal (r2 * r2)).
 Definition mass := normal (m1 + m2).
 Definition k1 := dd_div (Dd m2 0) mass.
-Definition k2 := dd_div (Dd m1 0) mass.
 Definition mu := dd_mul_d k1 m1.
 
 (* As they are meant. *)

@@ -11,15 +11,15 @@ Open Scope R_scope.
 (* pair_kick(): hi is the velocity, lo what its rounding takes. *)
 Definition kicked (k w : dd) (v : R) := dd_add_d (dd_mul k w) v.
 
-(* A velocity v of mass m, changed by k w and rounded: m n is off by its last rounding, and by some
-   u^2 of what the momentum was and is. *)
-Lemma one_mass m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
+(* A velocity v of mass m, changed by k w: before it is rounded at last, it is off by some u^2 of
+   what the momentum was and is. *)
+Lemma one_mass_kicked m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
   Rabs (m * total k - mu) <= 13 * u * u * mu ->
-  let n := hi (kicked k w v) in
-  Rabs (m * n - m * v - mu * total w) <=
-    u * (m * Rabs n) + 30 * u * u * (m * Rabs n + m * Rabs v).
+  let y := kicked k w v in
+  Rabs (m * total y - m * v - mu * total w) <= 25 * u * u * (m * Rabs (hi y) + m * Rabs v) /\
+  Rabs (lo y) <= u * (1 + 2 * u) * Rabs (hi y).
 Proof.
-intros M Mu K W E n; unfold kicked in n; destruct (dd_mul_is_close k w K W) as [C D].
+intros M Mu K W E y; set (n := hi y); unfold kicked in y; destruct (dd_mul_is_close k w K W) as [C D].
 set (x := dd_mul k w) in *; set (om := total w) in *; set (kt := total k) in *.
 apply Rabs_le_inv in E.
 (* sizes, all as parts of mu |om| *)
@@ -85,48 +85,69 @@ assert (A4 : Om <= 1001 / 1000 * (m * Rabs n + m * Rabs v)).
   rewrite <- Q in H; generalize (Rabs_pos mn) (Rabs_pos mv); unfold u in *; lra. }
 assert (0 <= m * Rabs n) by (apply Rmult_le_pos; [lra | apply Rabs_pos]).
 assert (0 <= m * Rabs v) by (apply Rmult_le_pos; [lra | apply Rabs_pos]).
-eapply Rle_trans; [apply Rabs_triang |].
-assert (Rabs (m * (t - (total x + v)) - m * low t) <=
-  Rabs (m * (t - (total x + v))) + Rabs (m * low t)).
-{ unfold Rminus at 1; eapply Rle_trans; [apply Rabs_triang |]; rewrite Rabs_Ropp; lra. }
+split; [| exact Ln]; unfold y, dd_add_d; rewrite (proj2 (normal_is_dd _)); fold t.
+replace (m * t - m * v - mu * om) with (m * total x - mu * om + m * (t - (total x + v))) by ring.
+apply Rle_trans with (1 := Rabs_triang _ _); unfold u in *; lra.
+Qed.
+
+(* And as it is rounded. *)
+Lemma one_mass m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
+  Rabs (m * total k - mu) <= 13 * u * u * mu ->
+  let n := hi (kicked k w v) in
+  Rabs (m * n - m * v - mu * total w) <=
+    u * (m * Rabs n) + 30 * u * u * (m * Rabs n + m * Rabs v).
+Proof.
+intros M Mu K W E n; destruct (one_mass_kicked m mu k w v M Mu K W E) as [T L]; fold n in T, L.
+set (l := lo (kicked k w v)) in *; unfold total at 1 in T; fold n l in T.
+replace (m * n - m * v - mu * total w) with (m * (n + l) - m * v - mu * total w + - (m * l))
+  by ring.
+apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq m) by lra.
+apply (Rmult_le_compat_l m) in L; [| lra].
+assert (0 <= m * Rabs n) by (apply Rmult_le_pos; [lra | apply Rabs_pos]).
+assert (0 <= m * Rabs v) by (apply Rmult_le_pos; [lra | apply Rabs_pos]).
 unfold u in *; lra.
+Qed.
+
+(* pair_make()'s k1 and k2. *)
+Definition share (m other : R) := dd_div (Dd other 0) (normal (m + other)).
+
+Lemma share_is_close m o : 0 < m -> 0 < o -> let mu := m * o / (m + o) in
+  0 < mu /\ is_dd (share m o) /\ Rabs (m * total (share m o) - mu) <= 13 * u * u * mu.
+Proof.
+intros M O mu; destruct (normal_is_dd (m + o)) as [Ds Ts]; set (sum := normal (m + o)) in *.
+assert (Fs : 0 < hi sum).
+{ unfold sum, normal; cbn [hi]; rewrite (rounded (m + o)).
+  assert (L := low_small (m + o) (m + o) ltac:(lra)); unfold u in *; lra. }
+destruct (dd_div_of_double o sum O Fs Ds) as [D E]; fold (share m o) in D, E; rewrite Ts in E.
+assert (Mm : 0 < m * o) by (apply Rmult_lt_0_compat; assumption).
+assert (Mu : 0 < mu) by (apply Rdiv_lt_0_compat; lra); repeat split; try assumption.
+apply (Rmult_le_reg_r (m + o)); [lra |].
+rewrite <- (Rabs_pos_eq (m + o)) at 1 by lra; rewrite <- Rabs_mult.
+replace ((m * total (share m o) - mu) * (m + o)) with (m * (total (share m o) * (m + o) - o))
+  by (unfold mu; field; lra).
+replace (13 * u * u * mu * (m + o)) with (m * (13 * u * u * o)) by (unfold mu; field; lra).
+rewrite Rabs_mult, (Rabs_pos_eq m) by lra; apply Rmult_le_compat_l; [lra | exact E].
 Qed.
 
 (* pair_make's k1, k2 and pair_kick's velocities, a component: the pair's momentum is off by 2u of
    the larger m |v|, before or after, but for 2^-46 of that. *)
 Theorem momentum m1 m2 w v1 v2 Z : 0 < m1 -> 0 < m2 -> is_dd w ->
-  let sum := normal (m1 + m2) in let k1 := dd_div (Dd m2 0) sum in let k2 := dd_div (Dd m1 0) sum in
+  let k1 := share m1 m2 in let k2 := share m2 m1 in
   let n1 := hi (kicked k1 w v1) in
   let n2 := hi (kicked k2 (dd_negate w) v2) in
   m1 * Rabs v1 <= Z -> m1 * Rabs n1 <= Z -> m2 * Rabs v2 <= Z -> m2 * Rabs n2 <= Z ->
   Rabs (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) <= 2 * u * (1 + / 70368744177664) * Z.
 Proof.
-intros M1 M2 W sum k1 k2 n1 n2 V1 N1 V2 N2.
-destruct (normal_is_dd (m1 + m2)) as [Ds Ts]; fold sum in Ds, Ts.
-assert (Fs : 0 < hi sum).
-{ unfold sum, normal; cbn [hi]; rewrite (rounded (m1 + m2)).
-  assert (L := low_small (m1 + m2) (m1 + m2) ltac:(lra)); unfold u in *; lra. }
-destruct (dd_div_of_double m2 sum M2 Fs Ds) as [D1 E1]; fold k1 in D1, E1; rewrite Ts in E1.
-destruct (dd_div_of_double m1 sum M1 Fs Ds) as [D2 E2]; fold k2 in D2, E2; rewrite Ts in E2.
-set (mu := m1 * m2 / (m1 + m2)).
-assert (Mm : 0 < m1 * m2) by (apply Rmult_lt_0_compat; assumption).
-assert (Mu : 0 < mu) by (apply Rdiv_lt_0_compat; lra).
-assert (Share : forall m o k, 0 < m -> m * o = m1 * m2 ->
-  Rabs (k * (m1 + m2) - o) <= 13 * u * u * o ->
-  Rabs (m * k - mu) <= 13 * u * u * mu).
-{ intros m o k Pm Eo H; apply (Rmult_le_reg_r (m1 + m2)); [lra |].
-  rewrite <- (Rabs_pos_eq (m1 + m2)) at 1 by lra; rewrite <- Rabs_mult.
-  replace ((m * k - mu) * (m1 + m2)) with (m * (k * (m1 + m2) - o))
-    by (unfold mu; rewrite <- Eo; field; lra).
-  replace (13 * u * u * mu * (m1 + m2)) with (m * (13 * u * u * o))
-    by (unfold mu; rewrite <- Eo; field; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq m) by lra; apply Rmult_le_compat_l; [lra | exact H]. }
+intros M1 M2 W k1 k2 n1 n2 V1 N1 V2 N2.
+destruct (share_is_close m1 m2 M1 M2) as (Mu & D1 & S1).
+destruct (share_is_close m2 m1 M2 M1) as (_ & D2 & S2).
+replace (m2 * m1 / (m2 + m1)) with (m1 * m2 / (m1 + m2)) in S2 by (field; lra).
+set (mu := m1 * m2 / (m1 + m2)) in *.
 assert (Dw : is_dd (dd_negate w)).
 { unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact W. }
-assert (O1 := one_mass m1 mu k1 w v1 M1 Mu D1 W (Share m1 m2 _ M1 eq_refl E1)).
-assert (O2 := one_mass m2 mu k2 (dd_negate w) v2 M2 Mu D2 Dw
-  (Share m2 m1 _ M2 (Rmult_comm _ _) E2)).
-cbv zeta in O1, O2; fold n1 in O1; fold n2 in O2.
+assert (O1 := one_mass m1 mu k1 w v1 M1 Mu D1 W S1).
+assert (O2 := one_mass m2 mu k2 (dd_negate w) v2 M2 Mu D2 Dw S2).
+cbv zeta in O1, O2; fold k1 in O1; fold k2 in O2; fold n1 in O1; fold n2 in O2.
 assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [hi lo]; ring).
 rewrite Tn in O2.
 replace (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) with

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told impulse.c does is what it does.
 #include "transcribed/impulse_decision_v.h"
+#include "transcribed/impulse_kick_v.h"
 #include "transcribed/impulse_sums_v.h"
 
 #define BRINK_PATH transcribed // its functions beside the library's
@@ -23,8 +24,9 @@ static void any_pair(stream *s, pair *p, double rise)
     pair_make(p, r, m1, m2, rise, v1, v2, 0);
 }
 
-#define LENGTHS(p) (p).r[0], (p).r[1], (p).r[2]
-#define SPEEDS(p)  (p).v1[0], (p).v1[1], (p).v1[2], (p).v2[0], (p).v2[1], (p).v2[2]
+#define VECTOR(v)  (v)[0], (v)[1], (v)[2]
+#define LENGTHS(p) VECTOR((p).r)
+#define SPEEDS(p)  VECTOR((p).v1), VECTOR((p).v2)
 #define MASSES(p)  (p).m1, (p).m2
 #define NUMBERS(p) LENGTHS(p), SPEEDS(p), MASSES(p)
 
@@ -37,7 +39,8 @@ START_TEST(a_pair_is_that_of_the_proof)
         SAME_DD(impulse_decision_v_b(LENGTHS(p), SPEEDS(p)), p.b, NUMBERS(p));
         SAME_DD(impulse_decision_v_rr(LENGTHS(p)), p.rr, NUMBERS(p));
         SAME_DD(impulse_decision_v_k1(MASSES(p)), p.k1, NUMBERS(p));
-        SAME_DD(impulse_decision_v_k2(MASSES(p)), p.k2, NUMBERS(p));
+        SAME_DD(impulse_sums_v_share(p.m1, p.m2), p.k1, NUMBERS(p));
+        SAME_DD(impulse_sums_v_share(p.m2, p.m1), p.k2, NUMBERS(p));
         SAME_DD(impulse_decision_v_mu(MASSES(p)), p.mu, NUMBERS(p));
     }
 }
@@ -79,8 +82,11 @@ START_TEST(a_kick_is_that_of_the_proof)
             const double hi = stream_scaled(&s, -20, 20);
             w[k] = two_sum(hi, stream_scaled(&s, -60, -53) * hi);
         }
+        const double owed = p.owed = stream_scaled(&s, -60, 0);
         double v1[3], v2[3];
         pair_kick(&p, w, v1, v2);
+        SAME(impulse_kick_v_owed_after(MASSES(p), VECTOR(w), SPEEDS(p), owed),
+             p.owed, NUMBERS(p), owed);
         for (int k = 0; k < 3; k++) {
             const dd one = impulse_sums_v_kicked(p.k1, w[k], p.v1[k]);
             const dd two = impulse_sums_v_kicked(p.k2, dd_negate(w[k]), p.v2[k]);

@@ -98,7 +98,9 @@ def coq(text):
     for what, said in re.findall(r"^(Variables|Definition|Let) (.*?)\.\s", text,
                                  re.DOTALL | re.MULTILINE):
         if what == "Variables":
-            definitions.update((name, Open(name)) for name in said.split(" :")[0].split())
+            names, _, kind = said.partition(" : ")
+            kind = "dd" if kind == "dd" else "double"
+            definitions.update((name, Open(name, kind)) for name in names.split())
             continue
         head, _, body = said.partition(":=")
         name, _, rest = head.strip().partition(" ")
