@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told impulse.c does is what it does.
+#include "transcribed/impulse_core_v.h"
 #include "transcribed/impulse_decision_v.h"
 #include "transcribed/impulse_kick_v.h"
 #include "transcribed/impulse_sums_v.h"
@@ -83,7 +84,7 @@ START_TEST(a_kick_is_that_of_the_proof)
             w[k] = two_sum(hi, stream_scaled(&s, -60, -53) * hi);
         }
         const double owed = p.owed = stream_scaled(&s, -60, 0);
-        double v1[3], v2[3];
+        double v1[3] = {0}, v2[3] = {0};
         pair_kick(&p, w, v1, v2);
         SAME(impulse_kick_v_owed_after(MASSES(p), VECTOR(w), SPEEDS(p), owed),
              p.owed, NUMBERS(p), owed);
@@ -97,9 +98,33 @@ START_TEST(a_kick_is_that_of_the_proof)
 }
 END_TEST
 
+START_TEST(a_core_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        if (!(p.b.hi < 0)) // nothing to do
+            continue;
+        double v1[3] = {0}, v2[3] = {0};
+        pair_change(&p, reflection(&p, BRINK_INWARD), v1, v2);
+        const dd w[3] = {impulse_core_v_w0(LENGTHS(p), SPEEDS(p)),
+                         impulse_core_v_w1(LENGTHS(p), SPEEDS(p)),
+                         impulse_core_v_w2(LENGTHS(p), SPEEDS(p))};
+        double want1[3] = {0}, want2[3] = {0};
+        p.owed = 0;
+        pair_kick(&p, w, want1, want2);
+        for (int k = 0; k < 3; k++) {
+            SAME(want1[k], v1[k], NUMBERS(p), k);
+            SAME(want2[k], v2[k], NUMBERS(p), k);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("impulse, transcribed", 120, a_pair_is_that_of_the_proof,
-                     a_decision_is_that_of_the_proof,
-                     a_kick_is_that_of_the_proof);
+                     a_decision_is_that_of_the_proof, a_kick_is_that_of_the_proof,
+                     a_core_is_that_of_the_proof);
 }
