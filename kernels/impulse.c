@@ -170,7 +170,7 @@ static crossing crossing_of(const pair *p, double rise, enum brink_direction way
 
 /** Whether the rest has the sign that is meant.  Components of r, v1, v2 are less
  *  than 4 here, so P = sum |r_i v_i| < 96; b is off by 12u^2 P, s^2 and the sum
- *  by 34u^2 P^2 < 2^-87, loss by 50u^2 < 2^-98 of itself. */
+ *  by 34u^2 P^2 < 2^-87, loss by 45u^2 < 2^-98 of itself. */
 static int is_decided(const crossing *c)
 {
     return fabs(c->rest.hi) > 0x1p-87 + 0x1p-98 * fabs(c->loss.hi);

@@ -1,11 +1,13 @@
-(* with: rounding.v impulse_dd.v impulse_decision.v impulse_sums.v impulse_kick.v *)
+(* with: rounding.v exact_dd_products.v impulse_dd.v impulse_decision.v *)
+(* with: impulse_sums.v impulse_kick.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, a core from end to end, or a bounce, with nothing owed before:
    BRINK_IMPULSE_ENERGY_ULP 4 but for its 2^-45th part, and BRINK_IMPULSE_BALANCE 0x1p-96 of the
    larger kinetic energy.  Unbounded exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding impulse_dd impulse_decision impulse_sums impulse_kick.
+From Brink Require Import rounding exact_dd_products impulse_dd impulse_decision impulse_sums.
+From Brink Require Import impulse_kick.
 Open Scope R_scope.
 
 (* (sum |r_i v_i|)^2 <= r.r v.v *)
@@ -23,7 +25,8 @@ Qed.
 
 Section Core.
 Variables r0 r1 r2 p0 p1 p2 q0 q1 q2 m1 m2 : R.
-Hypotheses (M1 : 0 < m1) (M2 : 0 < m2) (Apart : 0 < r0 * r0 + r1 * r1 + r2 * r2).
+Hypotheses (Fm1 : is_double m1) (Fm2 : is_double m2) (M1 : 0 < m1) (M2 : 0 < m2).
+Hypothesis Apart : 0 < r0 * r0 + r1 * r1 + r2 * r2.
 Let mu := m1 * m2 / (m1 + m2).
 Let speed := b r0 r1 r2 p0 p1 p2 q0 q1 q2.
 Let square := rr r0 r1 r2.
@@ -55,7 +58,8 @@ assert (Fr : 0 < hi square).
 assert (C1 := dd_mul_d_near speed (-2) Db); set (y := dd_mul_d speed (-2)) in *.
 assert (Dy : is_dd y) by apply normal_is_dd; assert (C2 := dd_add_d_is_close y 0 Dy).
 set (z := dd_add_d y 0) in *; assert (Dz : is_dd z) by apply normal_is_dd.
-assert (C3 := dd_div_near z square Dz Fr Dr); change (dd_div z square) with slope in C3.
+assert (C3 := dd_div_near z square (normal_is_double _) Dz Fr Dr).
+change (dd_div z square) with slope in C3.
 fold k in C3; unfold near in *; rewrite Rabs_R0 in C2.
 set (tb := total speed) in *; set (ty := total y) in *; set (tz := total z) in *.
 set (tr := total square) in *; assert (Q0 : 0 < Q) by exact Apart.
@@ -197,7 +201,7 @@ Proof.
 intros B1 B2 A1 A2.
 assert (D0 : is_dd w0) by apply normal_is_dd; assert (D1 : is_dd w1) by apply normal_is_dd.
 assert (D2 : is_dd w2) by apply normal_is_dd.
-destruct (kick_keeps_energy m1 m2 M1 M2 w0 w1 w2 p0 p1 p2 q0 q1 q2 0 D0 D1 D2 K B1 B2
+destruct (kick_keeps_energy m1 m2 Fm1 Fm2 M1 M2 w0 w1 w2 p0 p1 p2 q0 q1 q2 0 D0 D1 D2 K B1 B2
   A1 A2) as [E F].
 fold mu in E, F; rewrite Rabs_R0 in F; assert (C := change_is_small).
 assert (Mu : 0 < mu) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).

@@ -1,60 +1,12 @@
-(* with: rounding.v *)
+(* with: rounding.v exact_dd_products.v *)
 (* SPDX-License-Identifier: MIT *)
-(* exact.h's double-double as the impulses use it: what each operation is off by.  What fast_two_sum
-   leaves behind is as it is meant to be; unbounded exponents. *)
+(* exact.h's double-double as the impulses use it: its sums as parts of their terms, its products and
+   quotients of any sign.  What fast_two_sum leaves behind is as it is meant to be; unbounded
+   exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding.
+From Brink Require Import rounding exact_dd_products.
 Open Scope R_scope.
-
-Record dd := Dd { hi : R; lo : R }.
-
-(* As two_sum leaves it. *)
-Definition is_dd (x : dd) := Rabs (lo x) <= 1001 / 1000 * u * Rabs (hi x).
-Definition total (x : dd) := hi x + lo x.
-Definition normal s := Dd (rnd s) (low s). (* fast_two_sum of what sums up to s *)
-
-Lemma normal_is_dd s : is_dd (normal s) /\ total (normal s) = s.
-Proof.
-unfold is_dd, total, normal; cbn [hi lo]; assert (H := low_own s); rewrite (rounded s).
-set (l := low s) in *; clearbody l; split; [| ring].
-revert H; unfold u, Rabs; repeat destruct Rcase_abs; intros; lra.
-Qed.
-
-Definition dd_mul (x y : dd) := let p := hi x * hi y in
-  normal (rnd p + rnd (low p +
-    rnd (lo x * hi y + rnd (hi x * lo y + rnd (lo x * lo y))))).
-
-(* 6.1u^2, and fast_two_sum's condition. *)
-Theorem dd_mul_is_close x y : is_dd x -> is_dd y ->
-  Rabs (total (dd_mul x y) - total x * total y) <= 62 / 10 * u * u * Rabs (hi x * hi y) /\
-  is_dd (dd_mul x y).
-Proof.
-destruct x as [xh xl], y as [yh yl]; unfold dd_mul, is_dd at 1 2, total at 2 3; cbn [hi lo].
-intros X Y; set (s := rnd (xh * yh) + _); destruct (normal_is_dd s) as [N ->]; split; [| exact N].
-unfold s; clear s N.
-assert (Hx : - (1001 / 1000 * u * Rabs xh) <= xl <= 1001 / 1000 * u * Rabs xh)
-  by (apply Rabs_le_inv, X).
-assert (Hy : - (1001 / 1000 * u * Rabs yh) <= yl <= 1001 / 1000 * u * Rabs yh)
-  by (apply Rabs_le_inv, Y).
-assert (Sx := Rabs_le_inv xh _ (Rle_refl _)); assert (Sy := Rabs_le_inv yh _ (Rle_refl _)).
-assert (P1 := product _ _ _ _ Sx Sy); assert (P2 := product _ _ _ _ Sx Hy).
-assert (P3 := product _ _ _ _ Hx Sy); assert (P4 := product _ _ _ _ Hx Hy).
-rewrite Rabs_mult; set (T := Rabs xh * Rabs yh) in *.
-replace (Rabs xh * (1001 / 1000 * u * Rabs yh)) with (1001 / 1000 * u * T) in P2
-  by (unfold T; ring).
-replace (1001 / 1000 * u * Rabs xh * Rabs yh) with (1001 / 1000 * u * T) in P3 by (unfold T; ring).
-replace (1001 / 1000 * u * Rabs xh * (1001 / 1000 * u * Rabs yh)) with
-  (1001 / 1000 * 1001 / 1000 * u * u * T) in P4 by (unfold T; field).
-replace ((xh + xl) * (yh + yl)) with (xh * yh + xh * yl + xl * yh + xl * yl) by ring.
-set (hh := xh * yh) in *; set (hl := xh * yl) in *; set (lh := xl * yh) in *.
-set (ll := xl * yl) in *; clearbody hh hl lh ll T; clear X Y Hx Hy Sx Sy; unfold u in *.
-round_off hh T l0; round_off ll (11 / 10 / 9007199254740992 / 9007199254740992 * T) l1.
-round_off (hl + (ll - l1)) (1002 / 1000 / 9007199254740992 * T) l2.
-round_off (lh + (hl + (ll - l1) - l2)) (2004 / 1000 / 9007199254740992 * T) l3.
-round_off (l0 + (lh + (hl + (ll - l1) - l2) - l3)) (3006 / 1000 / 9007199254740992 * T) l4.
-bound.
-Qed.
 
 Definition dd_mul_d (x : dd) (y : R) :=
   normal (rnd (hi x * y) + rnd (lo x * y + low (hi x * y))).
@@ -91,141 +43,6 @@ round_off (xh + yh - l0 + (l0 + (xl + yl - l1) - l2)) (1001 / 1000 * (p + q)) l3
 round_off (l1 + l3) (1002 / 1000 / 9007199254740992 * (p + q)) l4; bound.
 Qed.
 
-(* dd_div: q and what is left over of it. *)
-Definition dd_div (x y : dd) :=
-  let q := rnd (hi x / hi y) in let p := hi y * q in
-  let r := rnd p + rnd (lo y * q + low p) in
-  normal (q + rnd (rnd (rnd (hi x - rnd r) + rnd (lo x - low r)) / hi y)).
-
-Theorem dd_div_is_close x y z : is_dd x -> Rabs (lo x) <= z -> 0 < hi y -> is_dd y ->
-  Rabs (total (dd_div x y) * total y - total x) <=
-    13 * u * u * Rabs (hi x) + 41 / 10 * u * z.
-Proof.
-destruct x as [x xl], y as [h l]; unfold is_dd, total at 2 3; cbn [hi lo]; intros X Z H D.
-unfold dd_div; cbn [hi lo]; cbv zeta.
-match goal with |- Rabs (total (normal ?s) * _ - _) <= _ => destruct (normal_is_dd s) as [_ ->] end.
-rewrite (Rabs_pos_eq h) in D by lra; apply Rabs_le_inv in D.
-set (T := x / h); assert (ET : h * T = x) by (unfold T; field; lra).
-set (t := Rabs T); assert (Et : h * t = Rabs x).
-{ unfold t; rewrite <- ET, Rabs_mult, (Rabs_pos_eq h) by lra; reflexivity. }
-assert (PT : - t <= T <= t) by (apply Rabs_le_inv, Rle_refl).
-assert (PX : - Rabs x <= x <= Rabs x) by (apply Rabs_le_inv, Rle_refl).
-assert (T0 : 0 <= t) by apply Rabs_pos; assert (X0 := Rabs_pos x).
-assert (Zx : - z <= xl <= z) by (apply Rabs_le_inv, Z).
-apply Rabs_le_inv in X.
-assert (Z' : exists m, - m <= xl <= m /\ 0 <= m <= 1001 / 1000 * u * Rabs x /\ m <= z).
-{ exists (Rabs xl); repeat split; try exact Z; try apply Rabs_pos;
-    try apply (Rabs_le_inv xl _ (Rle_refl _)); apply Rabs_le; exact X. }
-destruct Z' as (m & Hm & Mx & Mz).
-set (X' := Rabs x) in *; clearbody X'; clear X Z Zx.
-assert (L0 := low_small T t PT); rewrite (rounded T).
-set (l0 := low T) in *; clearbody l0; clearbody T t.
-assert (M0 := product h l0 h _ ltac:(lra) L0).
-assert (N0 := product l (T - l0) _ (1001 / 1000 * t) D ltac:(unfold u in *; lra)).
-replace (h * (u * t)) with (u * X') in M0 by (rewrite <- Et; ring).
-replace (1001 / 1000 * u * h * (1001 / 1000 * t)) with (1001 / 1000 * 1001 / 1000 * u * X') in N0
-  by (rewrite <- Et; field).
-replace (h * (T - l0)) with (x - h * l0) by (rewrite <- ET; ring).
-set (m0 := h * l0) in *; set (n0 := l * (T - l0)) in *.
-assert (Em : h * l0 = m0) by reflexivity; assert (En : l * (T - l0) = n0) by reflexivity.
-clearbody m0 n0; unfold u in *.
-round_off (x - m0) (1001 / 1000 * X') l1.
-round_off (n0 + l1) (2004 / 1000 / 9007199254740992 * X') l2.
-round_off (x - m0 - l1 + (n0 + l1 - l2)) (1001 / 1000 * X') l3.
-round_off (x - (x - m0 - l1 + (n0 + l1 - l2) - l3)) (31 / 10 / 9007199254740992 * X') l4.
-round_off (xl - l3) (1002 / 1000 / 9007199254740992 * X' + m) l7.
-round_off (x - (x - m0 - l1 + (n0 + l1 - l2) - l3) - l4 + (xl - l3 - l7))
-  (21 / 10 / 9007199254740992 * X' + 1001 / 1000 * m) l5.
-set (d := x - (x - m0 - l1 + (n0 + l1 - l2) - l3) - l4 + (xl - l3 - l7) - l5) in *.
-assert (Dd : - (22 / 10 / 9007199254740992 * X' + 1002 / 1000 * m) <= d <=
-  22 / 10 / 9007199254740992 * X' + 1002 / 1000 * m) by (unfold d; lra).
-set (k := m / h); assert (Ek : h * k = m) by (unfold k; field; lra); clearbody k.
-assert (K0 : 0 <= k).
-{ apply (Rmult_le_reg_l h); [exact H |]; rewrite Ek; lra. }
-assert (Ed : d / h * h = d) by (field; lra).
-assert (Df : - (22 / 10 / 9007199254740992 * t + 1002 / 1000 * k) <= d / h <=
-  22 / 10 / 9007199254740992 * t + 1002 / 1000 * k).
-{ split; apply (Rmult_le_reg_r h); try exact H; rewrite Ed; lra. }
-set (f := d / h) in *; clearbody f.
-round_off f (22 / 10 / 9007199254740992 * t + 1002 / 1000 * k) l6.
-assert (Q1 := product l6 h
-  (/ 9007199254740992 * (22 / 10 / 9007199254740992 * t + 1002 / 1000 * k)) h
-  ltac:(lra) ltac:(lra)).
-assert (Q2 := product l (f - l6) _ (23 / 10 / 9007199254740992 * t + 1003 / 1000 * k)
-  D ltac:(lra)).
-replace (/ 9007199254740992 * (22 / 10 / 9007199254740992 * t + 1002 / 1000 * k) * h) with
-  (/ 9007199254740992 * (22 / 10 / 9007199254740992 * X' + 1002 / 1000 * m)) in Q1
-  by (rewrite <- Et, <- Ek; field).
-replace (1001 / 1000 * / 9007199254740992 * h *
-  (23 / 10 / 9007199254740992 * t + 1003 / 1000 * k)) with
-  (1001 / 1000 / 9007199254740992 * (23 / 10 / 9007199254740992 * X' + 1003 / 1000 * m)) in Q2
-  by (rewrite <- Et, <- Ek; field).
-replace ((T - l0 + (f - l6)) * (h + l) - (x + xl)) with
-  (- m0 + n0 + d - xl - l6 * h + l * (f - l6)) by (rewrite <- Em, <- En, <- ET, <- Ed; ring).
-set (k1 := l6 * h) in *; set (k2 := l * (f - l6)) in *; clearbody k1 k2.
-unfold d; bound.
-Qed.
-
-Lemma dd_div_of_double x y : 0 < x -> 0 < hi y -> is_dd y -> is_dd (dd_div (Dd x 0) y) /\
-  Rabs (total (dd_div (Dd x 0) y) * total y - x) <= 13 * u * u * x.
-Proof.
-intros X F Y; split; [apply normal_is_dd |].
-assert (Z : is_dd (Dd x 0)).
-{ unfold is_dd; cbn [hi lo]; rewrite Rabs_R0; apply Rmult_le_pos; [unfold u; lra |].
-  apply Rabs_pos. }
-assert (K := dd_div_is_close (Dd x 0) y 0 Z ltac:(cbn [lo]; rewrite Rabs_R0; lra) F Y).
-cbn [hi] in K; rewrite (Rabs_pos_eq x) in K by lra.
-replace (total (Dd x 0)) with x in K by (unfold total; cbn [hi lo]; ring); lra.
-Qed.
-
-Definition dd_sqrt (x : dd) := let s := rnd (sqrt (hi x)) in
-  normal (s + rnd (rnd (rnd (hi x - s * s) + lo x) / (2 * s))).
-
-Theorem dd_sqrt_is_close x : 0 < hi x -> is_dd x -> 0 < total (dd_sqrt x) /\
-  Rabs (total (dd_sqrt x) * total (dd_sqrt x) - total x) <= 11 * u * u * hi x.
-Proof.
-destruct x as [h l]; unfold is_dd, total at 4; cbn [hi lo]; intros H D.
-unfold dd_sqrt; cbn [hi lo]; cbv zeta.
-match goal with |- 0 < total (normal ?s) /\ _ => destruct (normal_is_dd s) as [_ ->] end.
-rewrite (Rabs_pos_eq h) in D by lra; apply Rabs_le_inv in D.
-assert (S0 := sqrt_lt_R0 _ H); assert (SS := sqrt_sqrt h ltac:(lra)).
-set (q := sqrt h) in *; clearbody q; subst h.
-assert (L0 := low_small q q ltac:(lra)); rewrite (rounded q); set (e := low q) in *; clearbody e.
-set (s := q - e) in *.
-assert (E1 := product q e q _ ltac:(lra) L0); assert (E2 := product e e _ _ L0 L0).
-replace (q * (u * q)) with (u * (q * q)) in E1 by ring.
-replace (u * q * (u * q)) with (u * u * (q * q)) in E2 by ring.
-assert (Es : s * s = q * q - 2 * (q * e) + e * e) by (unfold s; ring); rewrite Es.
-set (x1 := q * e) in *; set (x2 := e * e) in *; clearbody x1 x2.
-assert (Sp : 999 / 1000 * q <= s <= 1001 / 1000 * q) by (unfold s, u in *; lra).
-clearbody s; clear L0; set (h := q * q) in *; unfold u in *.
-round_off (h - (h - 2 * x1 + x2)) (2001 / 1000 / 9007199254740992 * h) l1.
-round_off (h - (h - 2 * x1 + x2) - l1 + l) (301 / 100 / 9007199254740992 * h) l2.
-set (d := h - (h - 2 * x1 + x2) - l1 + l - l2) in *.
-assert (Dd : - (302 / 100 / 9007199254740992 * h) <= d <= 302 / 100 / 9007199254740992 * h)
-  by (unfold d; lra).
-assert (Ed : d / (2 * s) * (2 * s) = d) by (field; lra).
-assert (Df : - (152 / 100 / 9007199254740992 * q) <= d / (2 * s) <=
-  152 / 100 / 9007199254740992 * q).
-{ assert (2 * (999 / 1000 * q) * q <= 2 * s * q) by (apply Rmult_le_compat_r; lra).
-  fold h in H0; unfold h in *.
-  split; apply (Rmult_le_reg_r (2 * s)); try lra; rewrite Ed; lra. }
-set (f := d / (2 * s)) in *; clearbody f.
-round_off f (152 / 100 / 9007199254740992 * q) l3.
-assert (F2 := product f f _ _ Df Df).
-assert (G := product (2 * s + 2 * f - l3) l3 (21 / 10 * q)
-  (153 / 100 / 9007199254740992 / 9007199254740992 * q) ltac:(lra) ltac:(lra)).
-replace (21 / 10 * q * (153 / 100 / 9007199254740992 / 9007199254740992 * q)) with
-  (21 / 10 * 153 / 100 / 9007199254740992 / 9007199254740992 * h) in G by (unfold h; field).
-replace (152 / 100 / 9007199254740992 * q * (152 / 100 / 9007199254740992 * q)) with
-  (152 / 100 * 152 / 100 / 9007199254740992 / 9007199254740992 * h) in F2 by (unfold h; field).
-split; [lra |].
-replace ((s + (f - l3)) * (s + (f - l3)) - (h + l)) with
-  (s * s - (h + l) + f * (2 * s) + f * f - (2 * s + 2 * f - l3) * l3) by ring.
-rewrite Ed, Es; set (x3 := f * f) in *; set (x4 := (2 * s + 2 * f - l3) * l3) in *.
-clearbody x3 x4 h; unfold d; bound.
-Qed.
-
 Definition dd_add_d (x : dd) (y : R) :=
   normal (rnd (hi x + y) + rnd (lo x + low (hi x + y))).
 
@@ -244,6 +61,36 @@ round_off (l + l1) (/ 9007199254740992 * (1001 / 1000 * p + p + q)) l2; bound.
 Qed.
 
 Definition dd_negate (x : dd) := Dd (- hi x) (- lo x).
+
+Lemma dd_negate_total x : total (dd_negate x) = - total x.
+Proof. unfold total, dd_negate; cbn [hi lo]; ring. Qed.
+
+Lemma dd_negate_is_dd x : is_dd x -> is_dd (dd_negate x).
+Proof. unfold is_dd, dd_negate; cbn [hi lo]; rewrite !Rabs_Ropp; easy. Qed.
+
+Lemma normal_is_double s : is_double (hi (normal s)).
+Proof. apply generic_format_round; typeclasses eauto. Qed.
+
+Lemma rnd_negative x : rnd (- x) = - rnd x.
+Proof. apply round_NE_opp. Qed.
+
+Lemma low_negative x : low (- x) = - low x.
+Proof. unfold low; rewrite rnd_negative; ring. Qed.
+
+Lemma dd_div_negative x y : dd_div (dd_negate x) y = dd_negate (dd_div x y).
+Proof.
+destruct x as [h l], y as [k m]; unfold dd_div, dd_negate, normal; cbn [hi lo]; cbv zeta.
+replace (- h / k) with (- (h / k)) by (unfold Rdiv; ring); rewrite rnd_negative.
+set (q := rnd (h / k)); replace (k * - q) with (- (k * q)) by ring.
+rewrite low_negative, rnd_negative.
+replace (m * - q + - low (k * q)) with (- (m * q + low (k * q))) by ring; rewrite rnd_negative.
+rewrite <- Ropp_plus_distr; set (r := rnd (k * q) + _); rewrite low_negative, rnd_negative.
+replace (- h - - rnd r) with (- (h - rnd r)) by ring.
+replace (- l - - low r) with (- (l - low r)) by ring; rewrite !rnd_negative.
+rewrite <- Ropp_plus_distr, rnd_negative; set (d := rnd (rnd (h - rnd r) + _)).
+replace (- d / k) with (- (d / k)) by (unfold Rdiv; ring); rewrite rnd_negative.
+rewrite <- Ropp_plus_distr, rnd_negative, low_negative; reflexivity.
+Qed.
 
 (* --- To some u^2 of itself ---------------------------------------------------- *)
 
@@ -342,11 +189,38 @@ assert (0 <= Rabs (total x) * Rabs y) by (apply Rmult_le_pos; apply Rabs_pos).
 unfold u; lra.
 Qed.
 
-Lemma dd_div_near x y : is_dd x -> 0 < hi y -> is_dd y ->
-  near (172 / 10) (total (dd_div x y) * total y) (total x).
+Lemma dd_div_near x y : is_double (hi x) -> is_dd x -> 0 < hi y -> is_dd y ->
+  near (132 / 10) (total (dd_div x y) * total y) (total x).
 Proof.
-intros X P Y; assert (E := dd_div_is_close x y _ X (Rle_refl _) P Y).
-destruct (dd_size x X) as [H L]; assert (N := Rabs_pos (total x)); unfold near, u in *; lra.
+assert (Pos : forall x, is_double (hi x) -> is_dd x -> 0 < hi x -> 0 < hi y -> is_dd y ->
+  near (132 / 10) (total (dd_div x y) * total y) (total x)).
+{ intros z F Z Pz Py Y; destruct (dd_div_is_close z y F Pz Py Z Y) as [_ E]; unfold near.
+  rewrite (Rabs_pos_eq (total z)); [exact E |]; destruct (dd_sign z Z) as [[S _] _]; lra. }
+intros F X P Y; destruct (Rtotal_order (hi x) 0) as [N | [Z | N]]; [| | now apply Pos].
+- assert (E := Pos (dd_negate x) ltac:(apply generic_format_opp, F) (dd_negate_is_dd x X)
+    ltac:(unfold dd_negate; cbn [hi]; lra) P Y).
+  rewrite dd_div_negative, !dd_negate_total in E; unfold near in *; rewrite Rabs_Ropp in E.
+  rewrite <- Rabs_Ropp.
+  replace (- (total (dd_div x y) * total y - total x))
+    with (- total (dd_div x y) * total y - - total x) by ring; exact E.
+- destruct x as [h l]; cbn [hi] in Z; subst h; unfold is_dd in X; cbn [hi lo] in X.
+  rewrite Rabs_R0, Rmult_0_r in X; assert (l = 0) as ->.
+  { revert X; unfold Rabs; destruct Rcase_abs; lra. }
+  assert (O : dd_negate (Dd 0 0) = Dd 0 0) by (unfold dd_negate; cbn [hi lo]; now rewrite Ropp_0).
+  assert (D := dd_div_negative (Dd 0 0) y); rewrite O in D.
+  assert (T := dd_negate_total (dd_div (Dd 0 0) y)); rewrite <- D in T.
+  unfold near; replace (total (dd_div (Dd 0 0) y)) with 0 by lra.
+  unfold total; cbn [hi lo]; rewrite Rmult_0_l, Rplus_0_r, Rminus_0_r, Rabs_R0; lra.
+Qed.
+
+Lemma dd_div_of_double x y : is_double x -> 0 < x -> 0 < hi y -> is_dd y ->
+  is_dd (dd_div (Dd x 0) y) /\
+  Rabs (total (dd_div (Dd x 0) y) * total y - x) <= 132 / 10 * u * u * x.
+Proof.
+intros F X P Y; assert (Z : is_dd (Dd x 0)).
+{ unfold is_dd; cbn [hi lo]; rewrite Rabs_R0, Rabs_pos_eq by lra; unfold u; lra. }
+destruct (dd_div_is_close (Dd x 0) y F X P Z Y) as [D E]; split; [exact D |].
+replace (total (Dd x 0)) with x in E by (unfold total; cbn [hi lo]; ring); exact E.
 Qed.
 
 Lemma dd_add_sizes x y : is_dd x -> is_dd y ->

@@ -1,10 +1,10 @@
-(* with: rounding.v impulse_dd.v *)
+(* with: rounding.v exact_dd_products.v impulse_dd.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, pair_make and brink_step_impulse_balanced: what b, r.r, mu and the loss of a step are
    off by, and that the filter of its decision is right where it answers.  Unbounded exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding impulse_dd.
+From Brink Require Import rounding exact_dd_products impulse_dd.
 Open Scope R_scope.
 
 Section Pair.
@@ -64,32 +64,32 @@ assert (0 <= Q) by (unfold Q; generalize (G r0) (G r1) (G r2); lra).
 rewrite (Rabs_pos_eq Q) by assumption; unfold u in *; lra.
 Qed.
 
-Hypotheses (M1 : 0 < m1) (M2 : 0 < m2).
+Hypotheses (F2 : is_double m2) (M1 : 0 < m1) (M2 : 0 < m2).
 
 Lemma mass_is_dd : is_dd mass /\ total mass = m1 + m2 /\ 0 < hi mass.
 Proof.
 destruct (normal_is_dd (m1 + m2)) as [D E]; repeat split; try assumption.
-unfold mass, normal; cbn [hi]; rewrite (rounded (m1 + m2)).
-assert (L := low_small (m1 + m2) (m1 + m2) ltac:(lra)); unfold u in *; lra.
+apply (dd_sign _ D); lra.
 Qed.
 
 Lemma Mu_pos : 0 < Mu.
 Proof. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra. Qed.
 
-Lemma mu_is_close : is_dd mu /\ near (154 / 10) (total mu) Mu /\ 0 < hi mu.
+Lemma mu_is_close : is_dd mu /\ near (155 / 10) (total mu) Mu /\ 0 < hi mu.
 Proof.
 destruct mass_is_dd as (D & E & F); assert (Pm := Mu_pos).
-destruct (dd_div_of_double m2 mass M2 F D) as [Dk K]; fold k1 in Dk, K; rewrite E in K.
+destruct (dd_div_of_double m2 mass F2 M2 F D) as [Dk K]; fold k1 in Dk, K; rewrite E in K.
 assert (N := dd_mul_d_near k1 m1 Dk); fold mu in N; split; [apply normal_is_dd |].
-assert (K' : near 13 (total k1 * m1) Mu).
+assert (K' : near (132 / 10) (total k1 * m1) Mu).
 { unfold near; rewrite (Rabs_pos_eq Mu) by lra; apply (Rmult_le_reg_r (m1 + m2)); [lra |].
   rewrite <- (Rabs_pos_eq (m1 + m2)) at 1 by lra; rewrite <- Rabs_mult.
   replace ((total k1 * m1 - Mu) * (m1 + m2)) with (m1 * (total k1 * (m1 + m2) - m2))
     by (unfold Mu; field; lra).
-  replace (13 * u * u * Mu * (m1 + m2)) with (m1 * (13 * u * u * m2)) by (unfold Mu; field; lra).
+  replace (132 / 10 * u * u * Mu * (m1 + m2)) with (m1 * (132 / 10 * u * u * m2))
+    by (unfold Mu; field; lra).
   rewrite Rabs_mult, (Rabs_pos_eq m1) by lra; apply Rmult_le_compat_l; [lra | exact K]. }
 assert (T := near_trans _ _ _ _ _ N K' ltac:(lra) ltac:(lra)).
-assert (N' : near (154 / 10) (total mu) Mu).
+assert (N' : near (155 / 10) (total mu) Mu).
 { unfold near in *; assert (0 <= Rabs Mu) by apply Rabs_pos; unfold u in *; lra. }
 split; [exact N' |].
 assert (Dm : is_dd mu) by apply normal_is_dd; destruct (dd_sign mu Dm) as [G _]; apply G.
@@ -122,14 +122,14 @@ unfold is_dd, total, s in *; cbn [hi lo]; rewrite !W; split; [exact D |].
 unfold S; rewrite <- Rmult_plus_distr_l, <- Rmult_minus_distr_l, W; exact C.
 Qed.
 
-Lemma loss_is_close : is_dd loss /\ near (46 + / 10) (total loss) L.
+Lemma loss_is_close : is_dd loss /\ near 41 (total loss) L.
 Proof.
 destruct mu_is_close as (Dm & Nm & Fm); assert (Pm := Mu_pos).
 split; [apply normal_is_dd |].
 assert (Dr : is_dd rr) by apply normal_is_dd; assert (Nr := rr_is_close).
 assert (N1 := dd_mul_d_near rr (2 * Rmin rise top) Dr).
 set (X := dd_mul_d rr (2 * Rmin rise top)) in *; assert (Dx : is_dd X) by apply normal_is_dd.
-assert (N2 := dd_div_near X mu Dx Fm Dm); change (dd_div X mu) with loss in N2.
+assert (N2 := dd_div_near X mu (normal_is_double _) Dx Fm Dm); change (dd_div X mu) with loss in N2.
 assert (N3 : near 10 (total rr * (2 * Rmin rise top)) (2 * Rmin rise top * Q)).
 { unfold near in *; rewrite Rmult_comm, <- Rmult_minus_distr_l, !(Rabs_mult (2 * _)).
   replace (10 * u * u * (Rabs (2 * Rmin rise top) * Rabs Q)) with
@@ -144,7 +144,7 @@ Qed.
 
 (* What is left, to some u^2 of what it is made of. *)
 Lemma rest_is_close : is_dd rest /\ Rabs S <= P /\
-  Rabs (total rest - (S * S - L)) <= u * u * (34 * (P * P) + 50 * Rabs L).
+  Rabs (total rest - (S * S - L)) <= u * u * (34 * (P * P) + 45 * Rabs L).
 Proof.
 destruct s_is_close as [Ds Cs], loss_is_close as [Dl Nl]; split; [apply normal_is_dd |].
 assert (Sp : Rabs S <= P).
@@ -153,12 +153,9 @@ assert (Sp : Rabs S <= P).
   apply Rabs_triang. }
 split; [exact Sp |].
 assert (Nq := dd_mul_near s s Ds Ds); fold ss in Nq; assert (Dq : is_dd ss) by apply normal_is_dd.
-assert (Dn : is_dd (dd_negate loss)).
-{ unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact Dl. }
+assert (Dn := dd_negate_is_dd loss Dl).
 assert (C := dd_add_sizes ss (dd_negate loss) Dq Dn); fold rest in C.
-assert (E : total (dd_negate loss) = - total loss)
-  by (unfold total, dd_negate; cbn [hi lo]; ring).
-rewrite E, Rabs_Ropp in C; clear E.
+rewrite dd_negate_total, Rabs_Ropp in C.
 assert (Zl := near_size _ _ _ Nl ltac:(lra)); assert (Zq := near_size _ _ _ Nq ltac:(lra)).
 unfold near in *; set (t := total s) in *; set (c := total ss) in *; set (l := total loss) in *.
 set (x := total rest) in *; clearbody t c l x; clear Ds Dl Dq Dn.
@@ -207,7 +204,7 @@ assert (Hl' : 998 / 1000 * Rabs L <= Rabs (hi loss)).
 assert (P0 : 0 <= P) by (apply Rle_trans with (2 := Sp), Rabs_pos).
 assert (P2 : P * P <= 96 * 96) by (apply Rmult_le_compat; lra).
 assert (L0 := Rabs_pos L).
-assert (G : u * u * (34 * (P * P) + 50 * Rabs L) <= 998 / 1000 * margin).
+assert (G : u * u * (34 * (P * P) + 45 * Rabs L) <= 998 / 1000 * margin).
 { unfold margin; rewrite rounded.
   match goal with |- context [low ?e] => assert (W := low_own e); rewrite (Rabs_pos_eq e) in W
     by lra; set (w := low e) in * end.
@@ -220,7 +217,7 @@ assert (Sg : S * S - 2 * rise * Q / Mu = surplus * / (m1 * m2)).
 assert (I : 0 < / (m1 * m2)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra).
 assert (Q0 : 0 <= Q) by (destruct Long as [-> | H]; [lra |]; apply Rle_trans with (2 := H); lra).
 assert (M0 : 0 <= margin).
-{ assert (0 <= u * u * (34 * (P * P) + 50 * Rabs L)); [| lra].
+{ assert (0 <= u * u * (34 * (P * P) + 45 * Rabs L)); [| lra].
   assert (0 <= P * P) by (apply Rmult_le_pos; exact P0).
   repeat apply Rmult_le_pos; unfold u; lra. }
 (* a rise beyond top is one, and so is what stands for it *)

@@ -1,4 +1,4 @@
-(* with: rounding.v impulse_dd.v impulse_sums.v *)
+(* with: rounding.v exact_dd_products.v impulse_dd.v impulse_sums.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, pair_kick: the energy of a pair that is kicked, and what is owed for it.  Whatever the
    kick w, energy is what real numbers have (impulse.v, kick_changes_energy) but for the last
@@ -7,12 +7,12 @@
    Unbounded exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding impulse_dd impulse_sums.
+From Brink Require Import rounding exact_dd_products impulse_dd impulse_sums.
 Open Scope R_scope.
 
 (* A component of one velocity. *)
 Lemma one_energy m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
-  Rabs (m * total k - mu) <= 13 * u * u * mu ->
+  Rabs (m * total k - mu) <= 132 / 10 * u * u * mu ->
   let n := hi (kicked k w v) in let l := lo (kicked k w v) in let om := total w in
   Rabs (m * (n * n) / 2 + m * (n * l) - (m * (v * v) / 2 + mu * (om * v) +
     mu * mu / m * (om * om) / 2)) <= u * u * (39 * (m * (n * n)) + 13 * (m * (v * v))) /\
@@ -77,7 +77,7 @@ Qed.
 
 Section Kick.
 Variables m1 m2 : R.
-Hypotheses (M1 : 0 < m1) (M2 : 0 < m2).
+Hypotheses (Fm1 : is_double m1) (Fm2 : is_double m2) (M1 : 0 < m1) (M2 : 0 < m2).
 Let mu := m1 * m2 / (m1 + m2).
 
 (* Of both particles. *)
@@ -91,16 +91,15 @@ Lemma two_energies w v1 v2 : is_dd w ->
   m1 * Rabs (n1 * lo y1) + m2 * Rabs (n2 * lo y2) <= (1 + 2 * u) * u * after.
 Proof.
 intros W y1 y2 n1 n2 om before after.
-destruct (share_is_close m1 m2 M1 M2) as (Mu & D1 & S1).
-destruct (share_is_close m2 m1 M2 M1) as (_ & D2 & S2).
+destruct (share_is_close m1 m2 Fm2 M1 M2) as (Mu & D1 & S1).
+destruct (share_is_close m2 m1 Fm1 M2 M1) as (_ & D2 & S2).
 replace (m2 * m1 / (m2 + m1)) with (m1 * m2 / (m1 + m2)) in S2 by (field; lra).
 fold mu in Mu, S1, S2.
-assert (Dw : is_dd (dd_negate w)).
-{ unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact W. }
+assert (Dw := dd_negate_is_dd w W).
 destruct (one_energy m1 mu _ w v1 M1 Mu D1 W S1) as [E1 L1].
 destruct (one_energy m2 mu _ _ v2 M2 Mu D2 Dw S2) as [E2 L2].
-assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [hi lo]; ring).
-rewrite Tn in E2; fold y1 in E1, L1; fold y2 in E2, L2; fold n1 in E1, L1; fold n2 in E2, L2.
+rewrite dd_negate_total in E2; fold y1 in E1, L1; fold y2 in E2, L2.
+fold n1 in E1, L1; fold n2 in E2, L2.
 fold om in E1, E2; rewrite Rabs_mult, (Rabs_pos_eq m1) in L1 by lra.
 rewrite Rabs_mult, (Rabs_pos_eq m2) in L2 by lra.
 assert (Em : mu * mu / m1 + mu * mu / m2 = mu) by (unfold mu; field; lra).

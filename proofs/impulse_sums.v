@@ -1,11 +1,11 @@
-(* with: rounding.v impulse_dd.v *)
+(* with: rounding.v exact_dd_products.v impulse_dd.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, pair_kick: what a pair's momentum is off by, from the masses' shares k1 and k2 on.
    Unbounded exponents.
    BRINK_IMPULSE_MOMENTUM_ULP 2, but for its 2^-46th part. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding impulse_dd.
+From Brink Require Import rounding exact_dd_products impulse_dd.
 Open Scope R_scope.
 
 (* pair_kick(): hi is the velocity, lo what its rounding takes. *)
@@ -14,12 +14,13 @@ Definition kicked (k w : dd) (v : R) := dd_add_d (dd_mul k w) v.
 (* A velocity v of mass m, changed by k w: before it is rounded at last, it is off by some u^2 of
    what the momentum was and is. *)
 Lemma one_mass_kicked m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
-  Rabs (m * total k - mu) <= 13 * u * u * mu ->
+  Rabs (m * total k - mu) <= 132 / 10 * u * u * mu ->
   let y := kicked k w v in
   Rabs (m * total y - m * v - mu * total w) <= 25 * u * u * (m * Rabs (hi y) + m * Rabs v) /\
   Rabs (lo y) <= u * (1 + 2 * u) * Rabs (hi y).
 Proof.
-intros M Mu K W E y; set (n := hi y); unfold kicked in y; destruct (dd_mul_is_close k w K W) as [C D].
+intros M Mu K W E y; set (n := hi y); unfold kicked in y.
+destruct (dd_mul_is_close k w K W) as [C D].
 set (x := dd_mul k w) in *; set (om := total w) in *; set (kt := total k) in *.
 apply Rabs_le_inv in E.
 (* sizes, all as parts of mu |om| *)
@@ -42,7 +43,7 @@ assert (Mx : Rabs (m * total x - mu * om) <= 20 * u * u * Om).
   apply Rle_trans with (1 := Rabs_triang _ _); rewrite !Rabs_mult, (Rabs_pos_eq m) by lra.
   assert (m * Rabs (total x - kt * om) <= m * (62 / 10 * u * u * Rabs (hi k * hi w)))
     by (apply Rmult_le_compat_l; [lra | exact C]).
-  assert (Rabs (m * kt - mu) * Rabs om <= 13 * u * u * mu * Rabs om)
+  assert (Rabs (m * kt - mu) * Rabs om <= 132 / 10 * u * u * mu * Rabs om)
     by (apply Rmult_le_compat_r; [apply Rabs_pos | apply Rabs_le; exact E]).
   unfold Om, u in *; lra. }
 (* the sum and its rounding *)
@@ -92,7 +93,7 @@ Qed.
 
 (* And as it is rounded. *)
 Lemma one_mass m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
-  Rabs (m * total k - mu) <= 13 * u * u * mu ->
+  Rabs (m * total k - mu) <= 132 / 10 * u * u * mu ->
   let n := hi (kicked k w v) in
   Rabs (m * n - m * v - mu * total w) <=
     u * (m * Rabs n) + 30 * u * u * (m * Rabs n + m * Rabs v).
@@ -111,45 +112,42 @@ Qed.
 (* pair_make()'s k1 and k2. *)
 Definition share (m other : R) := dd_div (Dd other 0) (normal (m + other)).
 
-Lemma share_is_close m o : 0 < m -> 0 < o -> let mu := m * o / (m + o) in
-  0 < mu /\ is_dd (share m o) /\ Rabs (m * total (share m o) - mu) <= 13 * u * u * mu.
+Lemma share_is_close m o : is_double o -> 0 < m -> 0 < o -> let mu := m * o / (m + o) in
+  0 < mu /\ is_dd (share m o) /\ Rabs (m * total (share m o) - mu) <= 132 / 10 * u * u * mu.
 Proof.
-intros M O mu; destruct (normal_is_dd (m + o)) as [Ds Ts]; set (sum := normal (m + o)) in *.
-assert (Fs : 0 < hi sum).
-{ unfold sum, normal; cbn [hi]; rewrite (rounded (m + o)).
-  assert (L := low_small (m + o) (m + o) ltac:(lra)); unfold u in *; lra. }
-destruct (dd_div_of_double o sum O Fs Ds) as [D E]; fold (share m o) in D, E; rewrite Ts in E.
+intros F M O mu; destruct (normal_is_dd (m + o)) as [Ds Ts]; set (sum := normal (m + o)) in *.
+assert (Fs : 0 < hi sum) by (apply (dd_sign sum Ds); lra).
+destruct (dd_div_of_double o sum F O Fs Ds) as [D E]; fold (share m o) in D, E; rewrite Ts in E.
 assert (Mm : 0 < m * o) by (apply Rmult_lt_0_compat; assumption).
 assert (Mu : 0 < mu) by (apply Rdiv_lt_0_compat; lra); repeat split; try assumption.
 apply (Rmult_le_reg_r (m + o)); [lra |].
 rewrite <- (Rabs_pos_eq (m + o)) at 1 by lra; rewrite <- Rabs_mult.
 replace ((m * total (share m o) - mu) * (m + o)) with (m * (total (share m o) * (m + o) - o))
   by (unfold mu; field; lra).
-replace (13 * u * u * mu * (m + o)) with (m * (13 * u * u * o)) by (unfold mu; field; lra).
+replace (132 / 10 * u * u * mu * (m + o)) with (m * (132 / 10 * u * u * o))
+  by (unfold mu; field; lra).
 rewrite Rabs_mult, (Rabs_pos_eq m) by lra; apply Rmult_le_compat_l; [lra | exact E].
 Qed.
 
 (* pair_make's k1, k2 and pair_kick's velocities, a component: the pair's momentum is off by 2u of
    the larger m |v|, before or after, but for 2^-46 of that. *)
-Theorem momentum m1 m2 w v1 v2 Z : 0 < m1 -> 0 < m2 -> is_dd w ->
+Theorem momentum m1 m2 w v1 v2 Z : is_double m1 -> is_double m2 -> 0 < m1 -> 0 < m2 -> is_dd w ->
   let k1 := share m1 m2 in let k2 := share m2 m1 in
   let n1 := hi (kicked k1 w v1) in
   let n2 := hi (kicked k2 (dd_negate w) v2) in
   m1 * Rabs v1 <= Z -> m1 * Rabs n1 <= Z -> m2 * Rabs v2 <= Z -> m2 * Rabs n2 <= Z ->
   Rabs (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) <= 2 * u * (1 + / 70368744177664) * Z.
 Proof.
-intros M1 M2 W k1 k2 n1 n2 V1 N1 V2 N2.
-destruct (share_is_close m1 m2 M1 M2) as (Mu & D1 & S1).
-destruct (share_is_close m2 m1 M2 M1) as (_ & D2 & S2).
+intros F1 F2 M1 M2 W k1 k2 n1 n2 V1 N1 V2 N2.
+destruct (share_is_close m1 m2 F2 M1 M2) as (Mu & D1 & S1).
+destruct (share_is_close m2 m1 F1 M2 M1) as (_ & D2 & S2).
 replace (m2 * m1 / (m2 + m1)) with (m1 * m2 / (m1 + m2)) in S2 by (field; lra).
 set (mu := m1 * m2 / (m1 + m2)) in *.
-assert (Dw : is_dd (dd_negate w)).
-{ unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact W. }
+assert (Dw := dd_negate_is_dd w W).
 assert (O1 := one_mass m1 mu k1 w v1 M1 Mu D1 W S1).
 assert (O2 := one_mass m2 mu k2 (dd_negate w) v2 M2 Mu D2 Dw S2).
 cbv zeta in O1, O2; fold k1 in O1; fold k2 in O2; fold n1 in O1; fold n2 in O2.
-assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [hi lo]; ring).
-rewrite Tn in O2.
+rewrite dd_negate_total in O2.
 replace (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) with
   (m1 * n1 - m1 * v1 - mu * total w + (m2 * n2 - m2 * v2 - mu * - total w)) by ring.
 eapply Rle_trans; [apply Rabs_triang |].

@@ -40,6 +40,7 @@ ROOT = pathlib.Path(sys.argv[1])
 CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
 HEADER_ONLY = {"exact", "lanes", "path", "sum"}
 LONGEST_LINE = 82
+LONGEST_FILE = 400
 TOP = set("""
     .ci .clang-format .clang-tidy .gitignore
     CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md
@@ -218,6 +219,17 @@ def check_lines():
             for number, line in enumerate(lines, 1):
                 if len(line) > LONGEST_LINE:
                     fault(f"{path}:{number}", f"is {len(line)} columns wide")
+            if len(lines) > LONGEST_FILE:
+                fault(path, f"has {len(lines)} lines: split it where its subjects part")
+
+
+def check_merged():
+    """Nothing that was written by people is half of one version and half of another."""
+    written = {".md", ".txt", ".c", ".h", ".v", ".g", ".cpp", ".smt2", ".py", ".sh", ".yaml"}
+    for path in sorted(p for name in TOP for p in ((ROOT / name), *(ROOT / name).rglob("*"))
+                       if p.suffix in written):
+        if re.search(r"^(<{7}|>{7}) ", path.read_text(errors="replace"), re.MULTILINE):
+            fault(path, "was merged and has both versions in it")
 
 
 def main():
@@ -231,6 +243,7 @@ def main():
     check_paths()
     check_fast_math_is_refused()
     check_lines()
+    check_merged()
     print(*faults, sep="\n", end="\n" if faults else "")
     print(f"{len(faults)} faults")
     return bool(faults)
