@@ -1,7 +1,7 @@
 (* with: rounding.v exact_dd_products.v *)
 (* SPDX-License-Identifier: MIT *)
-(* exact.h's double-double as the impulses use it: its sums as parts of their terms, its products and
-   quotients of any sign.  What fast_two_sum leaves behind is as it is meant to be; unbounded
+(* exact.h's double-double as the impulses use it: its sums as parts of their terms, its products
+   and quotients of any sign.  What fast_two_sum leaves behind is as it is meant to be; unbounded
    exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.

@@ -148,7 +148,7 @@ Hypotheses (B1 : kinetic m1 p0 p1 p2 <= K) (B2 : kinetic m2 q0 q1 q2 <= K).
 Hypotheses (A1 : first <= K) (A2 : second <= K).
 
 Theorem kick_keeps_energy :
-  Rabs (after - (before + change)) <= 4 * u * (1 + / 70368744177664) * K /\
+  Rabs (after - (before + change)) <= 4 * u * (1 + / 140737488355328) * K /\
   Rabs (after + owed_after - (before + owed + change)) <=
     256 * u * u * K + u * (1 + / 1000) * Rabs owed.
 Proof.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What Coq is told impulse.c does is what it does.
+#include "transcribed/impulse_change_v.h"
 #include "transcribed/impulse_core_v.h"
+#include "transcribed/impulse_crossing_v.h"
 #include "transcribed/impulse_decision_v.h"
 #include "transcribed/impulse_kick_v.h"
 #include "transcribed/impulse_sums_v.h"
@@ -47,18 +49,23 @@ START_TEST(a_pair_is_that_of_the_proof)
 }
 END_TEST
 
-/** Of rises about as high as the pair can climb, or of any height. */
+/** A rise about as high as the pair can climb, or of any height. */
+static enum brink_direction any_step(stream *s, pair *p, double *rise)
+{
+    any_pair(s, p, 0);
+    *rise = stream_scaled(s, -80, 80);
+    if (stream_int(s, 0, 1))
+        *rise = stream_near(s, p->mu.hi * p->b.hi * p->b.hi / (2 * p->rr.hi), 3);
+    return stream_int(s, 0, 1) ? BRINK_INWARD : BRINK_OUTWARD;
+}
+
 START_TEST(a_decision_is_that_of_the_proof)
 {
     EACH_INPUT(s)
     {
         pair p;
-        any_pair(&s, &p, 0);
-        double rise = stream_scaled(&s, -80, 80);
-        if (stream_int(&s, 0, 1))
-            rise = stream_near(&s, p.mu.hi * p.b.hi * p.b.hi / (2 * p.rr.hi), 3);
-        const enum brink_direction way =
-            stream_int(&s, 0, 1) ? BRINK_INWARD : BRINK_OUTWARD;
+        double rise;
+        const enum brink_direction way = any_step(&s, &p, &rise);
         const crossing c = crossing_of(&p, ldexp(rise, p.em + 2 * p.ev), way);
         const double margin =
             impulse_decision_v_margin(LENGTHS(p), MASSES(p), rise, 0x1p900);
@@ -98,6 +105,22 @@ START_TEST(a_kick_is_that_of_the_proof)
 }
 END_TEST
 
+/** Velocities 0 in and out: what is changed is seen. */
+static void same_change(const pair *given, dd change)
+{
+    pair p = *given, q = *given;
+    const dd w[3] = {impulse_change_v_w0(LENGTHS(p), change),
+                     impulse_change_v_w1(LENGTHS(p), change),
+                     impulse_change_v_w2(LENGTHS(p), change)};
+    double v1[3] = {0}, v2[3] = {0}, want1[3] = {0}, want2[3] = {0};
+    pair_change(&p, change, v1, v2);
+    pair_kick(&q, w, want1, want2);
+    for (int k = 0; k < 3; k++) {
+        SAME(want1[k], v1[k], NUMBERS(p), change.hi, change.lo, k);
+        SAME(want2[k], v2[k], NUMBERS(p), change.hi, change.lo, k);
+    }
+}
+
 START_TEST(a_core_is_that_of_the_proof)
 {
     EACH_INPUT(s)
@@ -106,18 +129,29 @@ START_TEST(a_core_is_that_of_the_proof)
         any_pair(&s, &p, 0);
         if (!(p.b.hi < 0)) // nothing to do
             continue;
-        double v1[3] = {0}, v2[3] = {0};
-        pair_change(&p, reflection(&p, BRINK_INWARD), v1, v2);
-        const dd w[3] = {impulse_core_v_w0(LENGTHS(p), SPEEDS(p)),
-                         impulse_core_v_w1(LENGTHS(p), SPEEDS(p)),
-                         impulse_core_v_w2(LENGTHS(p), SPEEDS(p))};
-        double want1[3] = {0}, want2[3] = {0};
-        p.owed = 0;
-        pair_kick(&p, w, want1, want2);
-        for (int k = 0; k < 3; k++) {
-            SAME(want1[k], v1[k], NUMBERS(p), k);
-            SAME(want2[k], v2[k], NUMBERS(p), k);
-        }
+        const dd change = reflection(&p, BRINK_INWARD);
+        SAME_DD(impulse_core_v_reflection(LENGTHS(p), SPEEDS(p)), change,
+                NUMBERS(p));
+        same_change(&p, change);
+    }
+}
+END_TEST
+
+START_TEST(a_crossing_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        double rise;
+        const enum brink_direction way = any_step(&s, &p, &rise);
+        const crossing c = crossing_of(&p, ldexp(rise, p.em + 2 * p.ev), way);
+        const dd change = crossed(&p, &c, way);
+        const dd told =
+            impulse_crossing_v_crossed(NUMBERS(p), way, rise, 0x1p900);
+        SAME(told.hi + 0.0, change.hi + 0.0, NUMBERS(p), way, rise); // 0 for -0
+        SAME(told.lo + 0.0, change.lo + 0.0, NUMBERS(p), way, rise);
+        if (change.hi != 0)
+            same_change(&p, change);
     }
 }
 END_TEST
@@ -126,5 +160,6 @@ int main(void)
 {
     return RUN_SUITE("impulse, transcribed", 120, a_pair_is_that_of_the_proof,
                      a_decision_is_that_of_the_proof, a_kick_is_that_of_the_proof,
-                     a_core_is_that_of_the_proof);
+                     a_core_is_that_of_the_proof,
+                     a_crossing_is_that_of_the_proof);
 }
