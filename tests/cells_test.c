@@ -247,35 +247,6 @@ START_TEST(a_particle_beyond_its_wall_by_a_rounding_crosses_at_once)
 }
 END_TEST
 
-// A cell's lower wall is the first position that is in it: five cells, of which
-// 2^64 is no multiple, eight, of which it is, and three.
-START_TEST(walls_are_where_cells_begin)
-{
-    gsl_rng *rng = seeded(9);
-    brink_system s;
-    brink_cells c;
-    make(&s, 3, 5.1, 8.1, 4, 500, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
-    uint32_t stride = 1;
-    for (int a = 0; a < 3; a++) {
-        ck_assert_int_eq(c.count[a], a == 0 ? 5 : a == 1 ? 8 : 3);
-        for (uint32_t k = 0; k < (uint32_t)c.count[a]; k++) {
-            uint64_t x[3] = {0, 0, 0};
-            x[a] = c.wall[a][k];
-            ck_assert_uint_eq(brink_cells_at(&c, x), stride * k);
-            x[a]--;
-            const uint32_t below = (k > 0 ? k : (uint32_t)c.count[a]) - 1;
-            ck_assert_uint_eq(brink_cells_at(&c, x), stride * below);
-        }
-        ck_assert_uint_eq(c.wall[a][c.count[a]], 0);
-        stride *= (uint32_t)c.count[a];
-    }
-    brink_cells_destroy(&c);
-    brink_system_destroy(&s);
-    gsl_rng_free(rng);
-}
-END_TEST
-
 START_TEST(along_an_axis_with_images_all_cells_are_near)
 {
     gsl_rng *rng = seeded(10);
@@ -288,100 +259,11 @@ START_TEST(along_an_axis_with_images_all_cells_are_near)
         brink_stay stay;
         brink_cells_stay(&c, &s, i, 0.0, &stay);
         for (int k = 0; k < stay.cells; k++)
-            ck_assert_msg(is_among((stay.near[k] + layer) % c.total, stay.near,
-                                   stay.cells),
-                          "cell %u is near to %u, the one above it is not",
-                          stay.near[k], i);
+            ck_assert_msg(
+                is_among((stay.near[k] + layer) % c.total, stay.near, stay.cells),
+                "cell %u is near to %u, the one above it is not", stay.near[k],
+                i);
     }
-    brink_cells_destroy(&c);
-    brink_system_destroy(&s);
-    gsl_rng_free(rng);
-}
-END_TEST
-
-// A system of so many particles, all in one cell.
-static void crowd(brink_system *s, brink_cells *c, uint32_t count, gsl_rng *rng)
-{
-    make(s, 3, 8, 8, 8, count, rng);
-    for (uint32_t i = 0; i < count; i++)
-        for (int a = 0; a < 3; a++)
-            s->particle[i].x[a] = i;
-    ck_assert_int_eq(brink_cells_create(c, s, s->range), 0);
-    ck_assert_ptr_null(brink_cells_is_valid(c));
-}
-
-// From one to several handfuls; and they leave it in another order.
-START_TEST(a_cell_holds_any_number)
-{
-    gsl_rng *rng = seeded(11);
-    for (uint32_t count = 1; count <= 3 * BRINK_HANDFUL; count++) {
-        brink_system s;
-        brink_cells c;
-        uint32_t cell = 0, who[BRINK_HANDFUL];
-        uint8_t seen[3 * BRINK_HANDFUL] = {0};
-        crowd(&s, &c, count, rng);
-        brink_tour tour = brink_tour_of(&cell, 1);
-        uint32_t all = 0;
-        for (int n; (n = brink_tour_next(&c, &tour, who)) != 0;)
-            for (int k = 0; k < n; k++, all++)
-                ck_assert_msg(!seen[who[k]]++, "%u twice", who[k]);
-        ck_assert_uint_eq(all, count);
-        for (uint32_t i = 0; i < count; i++) {
-            const uint32_t leaves = (uint32_t)(UINT64_C(1009) * i % count);
-            ck_assert_int_eq(
-                brink_cells_cross(&c, leaves, (brink_crossing){0, 1}), 1);
-        }
-        ck_assert_ptr_null(brink_cells_is_valid(&c));
-        brink_cells_destroy(&c);
-        brink_system_destroy(&s);
-    }
-    gsl_rng_free(rng);
-}
-END_TEST
-
-START_TEST(a_crossing_that_is_none_is_refused)
-{
-    gsl_rng *rng = seeded(12);
-    brink_system s;
-    brink_cells c;
-    make(&s, 3, 8, 8, 8, 10, rng);
-    ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
-    const uint32_t cell = c.cell[4];
-    ck_assert_int_eq(brink_cells_cross(&c, 4, (brink_crossing){0, 0}), 0);
-    ck_assert_uint_eq(c.cell[4], cell);
-    ck_assert_ptr_null(brink_cells_is_valid(&c));
-    brink_cells_destroy(&c);
-    brink_system_destroy(&s);
-    gsl_rng_free(rng);
-}
-END_TEST
-
-// A fault is put in, seen, and taken out again.
-#define IS_SEEN(place, fault, what)                                               \
-    do {                                                                          \
-        const uint32_t kept_ = (place);                                           \
-        (place) = (fault);                                                        \
-        ck_assert_pstr_eq(brink_cells_is_valid(&c), what);                        \
-        (place) = kept_;                                                          \
-        ck_assert_ptr_null(brink_cells_is_valid(&c));                             \
-    } while (0)
-
-START_TEST(the_check_sees_what_is_wrong)
-{
-    gsl_rng *rng = seeded(6);
-    brink_system s;
-    brink_cells c;
-    crowd(&s, &c, 10, rng);
-    const uint32_t second = c.bucket[0].fill;
-    IS_SEEN(c.cell[4], 1, "a cell and its particles disagree");
-    IS_SEEN(c.bucket[0].who[0], 10, "a cell and its particles disagree");
-    IS_SEEN(c.bucket[0].who[0], 11, "a cell and its particles disagree");
-    IS_SEEN(c.bucket[0].fill, 3, "a particle is in no cell");
-    IS_SEEN(c.bucket[second].fill, second,
-            "more particles are in cells than there are");
-    for (uint32_t i = 0; i < s.count; i++)
-        brink_cells_place(&c, i, 2);
-    IS_SEEN(c.cell[4], 1, "a cell and its particles disagree");
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -397,7 +279,5 @@ int main(void)
         crossings_keep_the_cell_in_step_with_the_position,
         a_particle_at_rest_never_crosses,
         a_particle_beyond_its_wall_by_a_rounding_crosses_at_once,
-        walls_are_where_cells_begin, along_an_axis_with_images_all_cells_are_near,
-        a_cell_holds_any_number, a_crossing_that_is_none_is_refused,
-        the_check_sees_what_is_wrong);
+        along_an_axis_with_images_all_cells_are_near);
 }
