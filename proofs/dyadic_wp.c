@@ -4,6 +4,7 @@
 // with: -wp-fct compare_magnitudes,combine,copy,add_signed,brink_dyadic_add
 // with: -wp-fct brink_dyadic_sub,brink_dyadic_mul,product_of,add_product
 // with: -wp-fct brink_dyadic_dot,brink_dyadic_round,brink_dyadic_leading
+// with: -wp-no-smoke-dead-call
 /**
  * The dyadic numbers, as compiled: every function ends, reads and writes no limb
  * that is not there, and overflows nothing; what it makes is a number: its
