@@ -78,6 +78,40 @@ START_TEST(a_cell_holds_any_number)
 }
 END_TEST
 
+// More than a handful in all, none of them in a further bucket.
+START_TEST(a_tour_goes_on_where_the_handful_was_full)
+{
+    brink_system s;
+    brink_cells c;
+    uint32_t cells[60], who[BRINK_HANDFUL], all = 0;
+    uint8_t seen[60 * BRINK_BUCKET] = {0};
+    crowd(&s, &c, cube, 60 * BRINK_BUCKET);
+    for (uint32_t i = 0; i < s.count; i++) {
+        brink_cells_place(&c, i, i / BRINK_BUCKET);
+        cells[i / BRINK_BUCKET] = i / BRINK_BUCKET;
+    }
+    brink_tour tour = brink_tour_of(cells, 60);
+    for (int n; (n = brink_tour_next(&c, &tour, who)) != 0;) {
+        ck_assert_int_le(n, BRINK_HANDFUL);
+        for (int k = 0; k < n; k++, all++)
+            ck_assert_msg(!seen[who[k]]++, "%u twice", who[k]);
+    }
+    ck_assert_uint_eq(all, s.count);
+    destroy(&s, &c);
+}
+END_TEST
+
+START_TEST(a_crossing_is_a_number_and_back)
+{
+    for (uint32_t number = 0; number < 6; number++) {
+        const brink_crossing crossing = brink_crossing_of(number);
+        ck_assert_int_eq(crossing.axis, (int)number / 2);
+        ck_assert_int_eq(crossing.way, number % 2 == 0 ? -1 : 1);
+        ck_assert_uint_eq(brink_crossing_number(crossing), number);
+    }
+}
+END_TEST
+
 START_TEST(a_crossing_that_is_none_is_refused)
 {
     brink_system s;
@@ -123,7 +157,9 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE("cells: filing", 60, walls_are_where_cells_begin,
-                     a_cell_holds_any_number, a_crossing_that_is_none_is_refused,
-                     the_check_sees_what_is_wrong);
+    return RUN_SUITE(
+        "cells: filing", 60, walls_are_where_cells_begin, a_cell_holds_any_number,
+        a_tour_goes_on_where_the_handful_was_full,
+        a_crossing_is_a_number_and_back, a_crossing_that_is_none_is_refused,
+        the_check_sees_what_is_wrong);
 }
