@@ -7,6 +7,9 @@
 uint64_t brink_dyadic_bits(const brink_dyadic *a, int from, int count)
 {
     uint64_t bits = 0;
+    /*@ loop invariant -1 <= i < count;
+      @ loop assigns i, bits;
+      @ loop variant i; */
     for (int i = count - 1; i >= 0; i--) {
         int place = from + i - 32 * a->low; // counted from limb[0]
         uint64_t bit = 0;
@@ -21,6 +24,9 @@ uint64_t brink_dyadic_bits(const brink_dyadic *a, int from, int count)
 static int any_below(const brink_dyadic *a, int end)
 {
     int places = end - 32 * a->low; // counted from limb[0]
+    /*@ loop invariant 0 <= i <= a->count;
+      @ loop assigns i;
+      @ loop variant a->count - i; */
     for (int i = 0; i < a->count && 32 * i < places; i++) {
         int rest = places - 32 * i;
         uint32_t mask = rest < 32 ? ((uint32_t)1 << rest) - 1 : UINT32_MAX;
@@ -32,10 +38,14 @@ static int any_below(const brink_dyadic *a, int end)
 
 int brink_dyadic_magnitude(const brink_dyadic *a)
 {
-    int p = 32 * (a->low + a->count - 1);
-    for (uint32_t top = a->limb[a->count - 1]; top; top >>= 1)
-        p++;
-    return p;
+    const uint32_t top = a->limb[a->count - 1];
+    int bits = 0;
+    /*@ loop invariant 0 <= bits <= 32;
+      @ loop assigns bits;
+      @ loop variant 32 - bits; */
+    while (bits < 32 && top >> bits)
+        bits++;
+    return 32 * (a->low + a->count - 1) + bits;
 }
 
 static uint32_t limb_at(const brink_dyadic *a, int place)
@@ -47,6 +57,11 @@ static uint32_t limb_at(const brink_dyadic *a, int place)
 /** Drops zero limbs at the top; a number without limbs is 0. */
 static void normalise(brink_dyadic *z)
 {
+    /*@ loop invariant 0 <= z->count <= \at(z->count, Pre);
+      @ loop invariant \forall integer k;
+      @     z->count <= k < \at(z->count, Pre) ==> z->limb[k] == 0;
+      @ loop assigns z->count;
+      @ loop variant z->count; */
     while (z->count > 0 && z->limb[z->count - 1] == 0)
         z->count--;
     if (z->count == 0)
@@ -71,11 +86,11 @@ void brink_dyadic_integer(brink_dyadic *z, int64_t m, int e)
 void brink_dyadic_double(brink_dyadic *z, double x)
 {
     int biased = biased_exponent(x);
-    int64_t m = (int64_t)(bits_of(x) & UINT64_C(0xfffffffffffff));
+    int64_t m = (int64_t)(bits_of(x) % (UINT64_C(1) << 52));
     if (biased == 0)
         biased = 1; // subnormals have the exponent of the least normal number
     else
-        m |= INT64_C(1) << 52;
+        m += INT64_C(1) << 52;
     brink_dyadic_integer(z, signbit(x) ? -m : m, biased - 1075);
 }
 
@@ -84,6 +99,9 @@ static int compare_magnitudes(const brink_dyadic *a, const brink_dyadic *b)
 {
     int low = a->low < b->low ? a->low : b->low;
     int top_a = a->low + a->count, top_b = b->low + b->count;
+    /*@ loop invariant low - 1 <= place < (top_a > top_b ? top_a : top_b);
+      @ loop assigns place;
+      @ loop variant place - low + 1; */
     for (int place = (top_a > top_b ? top_a : top_b) - 1; place >= low; place--) {
         uint32_t x = limb_at(a, place), y = limb_at(b, place);
         if (x != y)
@@ -103,11 +121,14 @@ static void combine(brink_dyadic *z, int sign, const brink_dyadic *a,
     z->sign = sign;
     z->low = low;
     z->count = top - low;
+    /*@ loop invariant low <= place <= top && -1 <= carry <= 1;
+      @ loop assigns place, carry, z->limb[0 .. top - low - 1];
+      @ loop variant top - place; */
     for (int place = low; place < top; place++) {
         int64_t sum =
             carry + limb_at(a, place) + way * (int64_t)limb_at(b, place);
         z->limb[place - low] = (uint32_t)((uint64_t)sum & UINT32_MAX);
-        carry = sum < 0 ? -1 : sum >> 32;
+        carry = sum < 0 ? -1 : sum / (INT64_C(1) << 32);
     }
     normalise(z);
 }
@@ -118,7 +139,13 @@ static void copy(brink_dyadic *z, int sign, const brink_dyadic *a)
     z->sign = sign;
     z->low = a->low;
     z->count = a->count;
-    memcpy(z->limb, a->limb, (size_t)a->count * sizeof *a->limb);
+    /*@ loop invariant 0 <= i <= a->count;
+      @ loop invariant \forall integer k; 0 <= k < i ==>
+      @     z->limb[k] == a->limb[k];
+      @ loop assigns i, z->limb[0 .. a->count - 1];
+      @ loop variant a->count - i; */
+    for (int i = 0; i < a->count; i++)
+        z->limb[i] = a->limb[i];
 }
 
 /** z = a + sign b. */
@@ -156,11 +183,22 @@ void brink_dyadic_mul(brink_dyadic *z, const brink_dyadic *a,
     z->sign = a->sign * b->sign;
     z->low = a->low + b->low;
     z->count = a->count + b->count;
-    memset(z->limb, 0, (size_t)z->count * sizeof *z->limb);
+    /*@ loop invariant 0 <= i <= z->count;
+      @ loop invariant \forall integer k; 0 <= k < i ==> z->limb[k] == 0;
+      @ loop assigns i, z->limb[0 .. z->count - 1];
+      @ loop variant z->count - i; */
+    for (int i = 0; i < z->count; i++)
+        z->limb[i] = 0;
+    /*@ loop invariant 0 <= i <= a->count;
+      @ loop assigns i, z->limb[0 .. z->count - 1];
+      @ loop variant a->count - i; */
     for (int i = 0; i < a->count; i++) {
         uint64_t carry = 0;
-        for (int j = 0; j < b->count;
-             j++) { // (2^32-1)^2 + 2 (2^32-1) = 2^64 - 1: fits
+        // (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1: fits.
+        /*@ loop invariant 0 <= j <= b->count && carry <= UINT32_MAX;
+          @ loop assigns j, carry, z->limb[i .. i + b->count - 1];
+          @ loop variant b->count - j; */
+        for (int j = 0; j < b->count; j++) {
             carry += (uint64_t)a->limb[i] * b->limb[j] + z->limb[i + j];
             z->limb[i + j] = (uint32_t)carry;
             carry >>= 32;
@@ -170,17 +208,34 @@ void brink_dyadic_mul(brink_dyadic *z, const brink_dyadic *a,
     normalise(z);
 }
 
+/** z = x y, of doubles. */
+static void product_of(brink_dyadic *z, double x, double y)
+{
+    brink_dyadic a, b;
+    brink_dyadic_double(&a, x);
+    brink_dyadic_double(&b, y);
+    brink_dyadic_mul(z, &a, &b);
+}
+
+/** z = z + x y. */
+static void add_product(brink_dyadic *z, double x, double y)
+{
+    brink_dyadic product, sum;
+    product_of(&product, x, y);
+    //@ assert \at(is_normal(z), Pre) ==> is_normal(z);
+    brink_dyadic_add(&sum, z, &product);
+    copy(z, sum.sign, &sum);
+}
+
 void brink_dyadic_dot(brink_dyadic *z, int n, const double *x, const double *y)
 {
-    brink_dyadic sum, a, b, product;
     brink_dyadic_integer(z, 0, 0);
-    for (int i = 0; i < n; i++) {
-        brink_dyadic_double(&a, x[i]);
-        brink_dyadic_double(&b, y[i]);
-        brink_dyadic_mul(&product, &a, &b);
-        brink_dyadic_add(&sum, z, &product);
-        copy(z, sum.sign, &sum);
-    }
+    /*@ loop invariant 0 <= i <= n && is_dyadic(z) && is_normal(z);
+      @ loop invariant -68 <= z->low && z->low + z->count <= 66 + i;
+      @ loop assigns i, *z;
+      @ loop variant n - i; */
+    for (int i = 0; i < n; i++)
+        add_product(z, x[i], y[i]);
 }
 
 double brink_dyadic_round(const brink_dyadic *a)

@@ -28,8 +28,11 @@ static wide wide_sqrt(wide x)
 /** x + y; where they are more than 2^1000 apart the smaller one may get lost. */
 static wide wide_add(wide x, wide y)
 {
-    if (y.m.hi != 0 && (x.m.hi == 0 || x.e < y.e))
-        return wide_add(y, x);
+    if (y.m.hi != 0 && (x.m.hi == 0 || x.e < y.e)) {
+        const wide smaller = x;
+        x = y;
+        y = smaller;
+    }
     int shift = y.e - x.e;
     dd m = {ldexp(y.m.hi, shift), ldexp(y.m.lo, shift)};
     return (wide){dd_add(x.m, m), x.e}; // error <= 4u^2 where the signs are equal

@@ -28,9 +28,24 @@ int is_an_infinity(double x);
   @*/
 double no_number(void);
 
+/*@ terminates \true;
+  @ exits \false;
+  @ assigns \nothing;
+  @*/
+int has_a_minus(double x);
+
+/*@ terminates \true;
+  @ exits \false;
+  @ assigns \nothing;
+  @*/
+double scaled_by(double x, int e);
+
 #undef isfinite
 #undef isinf
+#undef signbit
 #undef NAN
 #define isfinite(x) is_a_finite(x)
 #define isinf(x)    is_an_infinity(x)
+#define signbit(x)  has_a_minus(x)
+#define ldexp(x, e) scaled_by(x, e)
 #define NAN         no_number()
