@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "conventional_method.h"
 #include "study_doubts.h"
 #include "suite.h"
 #include "systems.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Doubts about two particles, whose one event is known to the last bit.
+#include "conventional_method.h"
 #include "study_doubts.h"
 #include "suite.h"
 #include "systems.h"
