@@ -26,7 +26,6 @@
   @ }
   @
   @ predicate has_an_order(heap h) =
-  @     (\forall integer x; 0 <= x < slots(h) ==> !before(h, x, x)) &&
   @     (\forall integer x, y; 0 <= x < slots(h) && 0 <= y < slots(h) &&
   @         before(h, x, y) ==> !before(h, y, x)) &&
   @     (\forall integer x, y, z; 0 <= x < slots(h) && 0 <= y < slots(h) &&
@@ -51,6 +50,12 @@
   @         up != hole ==> !before(h, at(h, p), at(h, up))) &&
   @     (\forall integer up, p; above(up, hole) && above(hole, p) &&
   @         p < count(h) ==> !before(h, at(h, p), at(h, up)));
+  @
+  @ predicate is_after_above(heap h, integer hole, integer slot) =
+  @     \forall integer up; above(up, hole) ==> !before(h, slot, at(h, up));
+  @ predicate is_before_below(heap h, integer hole, integer slot) =
+  @     \forall integer p; above(hole, p) && p < count(h) ==>
+  @         !before(h, at(h, p), slot);
   @
   @ // There is a hole, which the slot has yet to be put in.
   @ predicate has_hole(heap h, integer hole, integer slot) =
@@ -97,28 +102,30 @@
   @     is_ordered(b, up);
   @ lemma order_downward: \forall heap a, b, integer hole, down, slot;
   @     above(hole, down) && has_hole(a, hole, slot) &&
-  @     is_moved(a, b, hole, down) &&
-  @     (\forall integer p; above(hole, p) && p < count(a) ==>
-  @         !before(a, at(a, p), at(a, down))) ==>
+  @     is_moved(a, b, hole, down) && is_before_below(a, hole, at(a, down)) ==>
   @     is_ordered(b, down);
   @ lemma moved_upward: \forall heap a, b, integer hole, up, slot;
   @     above(up, hole) && has_hole(a, hole, slot) && is_moved(a, b, hole, up) ==>
   @     has_hole(b, up, slot);
   @ lemma moved_downward: \forall heap a, b, integer hole, down, slot;
   @     above(hole, down) && has_hole(a, hole, slot) &&
-  @     is_moved(a, b, hole, down) &&
-  @     (\forall integer p; above(hole, p) && p < count(a) ==>
-  @         !before(a, at(a, p), at(a, down))) ==>
+  @     is_moved(a, b, hole, down) && is_before_below(a, hole, at(a, down)) ==>
   @     has_hole(b, down, slot);
+  @ lemma after_what_moved: \forall heap a, b, integer hole, down, slot;
+  @     above(hole, down) && has_hole(a, hole, slot) &&
+  @     is_moved(a, b, hole, down) && before(a, at(a, down), slot) ==>
+  @     is_after_above(b, down, slot);
+  @ lemma before_both: \forall heap h, integer hole, down, slot;
+  @     has_hole(h, hole, slot) && above(hole, down) && down < count(h) &&
+  @     is_before_below(h, hole, at(h, down)) && !before(h, at(h, down), slot) ==>
+  @     is_before_below(h, hole, slot);
   @ lemma filled: \forall heap a, b, integer hole, slot;
   @     has_hole(a, hole, slot) && is_put(a, b, hole, slot) ==>
   @     is_indexed(b, -1) && in_heap(b, -1, slot) &&
   @     has_become(a, b, hole, -1, slot);
   @ lemma filled_in_order: \forall heap a, b, integer hole, slot;
   @     has_hole(a, hole, slot) && is_put(a, b, hole, slot) &&
-  @     (\forall integer up; above(up, hole) ==> !before(a, slot, at(a, up))) &&
-  @     (\forall integer p; above(hole, p) && p < count(a) ==>
-  @         !before(a, at(a, p), slot)) ==>
+  @     is_after_above(a, hole, slot) && is_before_below(a, hole, slot) ==>
   @     is_ordered(b, -1);
   @*/
 
@@ -176,13 +183,15 @@
   @                  integer was) =
   @     is_calendar(c) && has_hole(heap_of(c), hole, slot) &&
   @     has_become(then, heap_of(c), was, hole, -1);
-  @ predicate is_after_above(brink_calendar *c, integer hole, integer slot) =
-  @     \forall integer up; above(up, hole) ==>
-  @         !before(heap_of(c), slot, at(heap_of(c), up));
-  @ predicate is_before_below(brink_calendar *c, integer hole, integer slot) =
-  @     \forall integer p; above(hole, p) && p < c->heap_count ==>
-  @         !before(heap_of(c), at(heap_of(c), p), slot);
-  @
+  @ // What the heap's clauses say where its slots are read from memory.
+  @ lemma index_in_memory{L}: \forall brink_calendar *c, integer hole, p;
+  @     is_calendar(c) && is_indexed(heap_of(c), hole) && p != hole &&
+  @     0 <= p < c->heap_count ==>
+  @     at(heap_of(c), p) == c->heap[p] && c->heap[p] < c->slots;
+  @ lemma after_its_parent{L}: \forall brink_calendar *c, integer up, p, slot;
+  @     is_calendar(c) && above(up, p) && p < c->heap_count &&
+  @     !before(heap_of(c), slot, c->heap[up]) ==>
+  @     is_after_above(heap_of(c), p, slot);
   @ lemma an_order{L}: \forall brink_calendar *c; has_an_order(heap_of(c));
   @*/
 
@@ -244,7 +253,7 @@ static uint32_t parent_of(uint32_t position);
   @ exits \false;
   @ assigns \nothing;
   @ ensures above(position, \result) && \result < c->heap_count;
-  @ ensures is_before_below(c, position, at(heap_of(c), \result));
+  @ ensures is_before_below(heap_of(c), position, at(heap_of(c), \result));
   @*/
 static uint32_t earlier_child(const brink_calendar *c, uint32_t position);
 
@@ -253,18 +262,18 @@ static uint32_t earlier_child(const brink_calendar *c, uint32_t position);
   @ exits \false;
   @ assigns c->heap[0 .. c->heap_count - 1], c->filed[0 .. c->slots - 1].place;
   @ ensures hole: a_hole(c, \result, slot, \old(heap_of(c)), \old(position));
-  @ ensures above: is_after_above(c, \result, slot);
+  @ ensures above: is_after_above(heap_of(c), \result, slot);
   @*/
 static uint32_t hole_up(brink_calendar *c, uint32_t position, uint32_t slot);
 
 /*@ requires is_calendar(c) && has_hole(heap_of(c), position, slot);
-  @ requires is_after_above(c, position, slot);
+  @ requires is_after_above(heap_of(c), position, slot);
   @ terminates \true;
   @ exits \false;
   @ assigns c->heap[0 .. c->heap_count - 1], c->filed[0 .. c->slots - 1].place;
   @ ensures hole: a_hole(c, \result, slot, \old(heap_of(c)), \old(position));
-  @ ensures above: is_after_above(c, \result, slot);
-  @ ensures below: is_before_below(c, \result, slot);
+  @ ensures above: is_after_above(heap_of(c), \result, slot);
+  @ ensures below: is_before_below(heap_of(c), \result, slot);
   @*/
 static uint32_t hole_down(brink_calendar *c, uint32_t position, uint32_t slot);
 

@@ -106,7 +106,7 @@ static uint32_t hole_down(brink_calendar *c, uint32_t position, uint32_t slot)
 {
     /*@ loop invariant a_hole(c, position, slot, \at(heap_of(c), Pre),
       @                       \at(position, Pre));
-      @ loop invariant is_after_above(c, position, slot);
+      @ loop invariant is_after_above(heap_of(c), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
       @ loop variant c->heap_count - position; */
