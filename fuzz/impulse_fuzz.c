@@ -52,15 +52,6 @@ static void keep_what_is_conserved(const impact *p, const aftermath *a,
         impact_broken("momentum, off by so many ulp", p, a, momentum);
 }
 
-/** The largest product of a mass and a speed, before or after, and |r|. */
-static double virial_unit(const impact *p, const oracle_pair *before,
-                          const oracle_pair *after)
-{
-    const double speed1 = fmax(oracle_size(before->v1), oracle_size(after->v1));
-    const double speed2 = fmax(oracle_size(before->v2), oracle_size(after->v2));
-    return fmax(p->m1 * speed1, p->m2 * speed2) * oracle_size(p->r);
-}
-
 /** Whether it crosses, how fast it goes on and which way, and the virial: as the
  *  turn has it, which is exact. */
 static void keep_to_turn(const impact *p, const aftermath *a,
@@ -72,12 +63,12 @@ static void keep_to_turn(const impact *p, const aftermath *a,
     if (!oracle_turned(turn, p->r, &before, &after))
         impact_broken("velocities are rounded more than once", p, a, 0);
     const double virial = oracle_virial(turn, &before);
-    // It is three numbers of double-double, cut to a double.  Where it is less
-    // than 2^-470 of its unit it is the root of what is less than 2^-940, whose
-    // low part underflows: nothing of that is seen in a velocity.
+    // It is three numbers of double-double, cut to a double; nothing of the rest
+    // is seen in a velocity.
+    const double unit =
+        oracle_size(p->r) * oracle_largest_momentum(&before, &after);
     if (isnormal(virial) &&
-        fabs(virial) > 0x1p-470 * virial_unit(p, &before, &after) &&
-        !(fabs(a->virial - virial) <= 0x1p-52 * fabs(virial)))
+        !(fabs(a->virial - virial) <= 0x1p-52 * fabs(virial) + 0x1p-90 * unit))
         impact_broken("the virial", p, a, virial);
     keep_what_is_conserved(p, a, a->crossed ? p->rise : 0);
 }

@@ -29,13 +29,13 @@ static void check_fma(stream *s)
             broken("fma", x, 6);
 }
 
-/** A number at some 2^-85 to 2^-75 of itself from a midpoint, told or not: if it
- *  is, it is so wherever within 2^-82 of itself the truth lies. */
+/** A number at some 2^-78 to 2^-68 of itself from a midpoint, told or not: if it
+ *  is, it is so wherever within 2^-75 of itself the truth lies. */
 static dd some_doubt(stream *s)
 {
     const double x = stream_int(s, 0, 7) ? stream_real(s, 1, 2) : 1;
     const double side = stream_sign(s), next = nextafter(x, side * 4);
-    const double off = stream_scaled(s, -86, -74);
+    const double off = stream_scaled(s, -79, -67);
     return (dd){x, (next - x) / 2 + off * x};
 }
 
@@ -52,7 +52,7 @@ static void check_told(stream *s)
     for (int k = 0; k < 2; k++) {
         oracle_set_dd(z, x[k]);
         for (int way = -1; way <= 1; way++) {
-            mpfr_add_d(moved, z, way * 0x1p-82 * x[k].hi, ORACLE_N);
+            mpfr_add_d(moved, z, way * 0x1p-75 * x[k].hi, ORACLE_N);
             if (mpfr_get_d(moved, ORACLE_N) != nearest[k])
                 broken("told, but not certain", all, 4);
         }

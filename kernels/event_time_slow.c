@@ -104,7 +104,7 @@ BRINK_INLINE fine_path fine_path_of(const double r0[3], const double v0[3],
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         dd x = dd_add(two_prod(r[j], v[k]), dd_negate(two_prod(r[k], v[j])));
-        w = dd_add(w, dd_mul(x, x)); // x to 3u^2, x x to 11u^2, w to 18u^2
+        w = dd_add(w, dd_mul(x, x)); // x to 3u^2, x x to 13u^2, w to 19u^2
     }
     dd ssa = dd_mul_d(dd_mul_d(f.a, sigma), sigma); // 11u^2
     f.d = dd_add(ssa, dd_negate(w));

@@ -167,7 +167,7 @@ int brink_step_impulse_balanced(const double r[3], double m1, double m2,
     dd rest = dd_add(ss, dd_negate(loss));
 
     // Components of r, v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96; b
-    // is off by 8u^2 P, s^2 by 20u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
+    // is off by 8u^2 P, s^2 by 23u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
     // itself.
     int crosses = rest.hi > 0;
     if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
@@ -176,7 +176,9 @@ int brink_step_impulse_balanced(const double r[3], double m1, double m2,
     dd change;
     if (crosses) {
         dd after = dd_sqrt(rest.hi > 0 ? rest : (dd){0, 0});
-        if (s.hi > 0) // s' - s = -loss / (s' + s): nothing cancels
+        // s' - s = -loss / (s' + s), where nothing cancels; but where all that is
+        // left is lost in roundings, s' is 0 and loss / s may be anything.
+        if (s.hi > 0 && rest.hi > 0)
             change = dd_div(dd_negate(loss), dd_add(after, s));
         else
             change = dd_add(after, dd_negate(s));

@@ -15,8 +15,9 @@
 /** Bound of the pair energy's error in ulp of the larger kinetic energy, and
  *  of the pair momentum's in ulp of the larger |m v|, before or after; for
  *  masses up to 1e12 apart.  That is the last rounding of either velocity and
- *  no more.  A virial is within 2^-52 of itself, where it is normal and more
- *  than 2^-470 of |r| times the larger m |v|. */
+ *  no more.  A virial is, where it is normal, within 2^-52 of itself and 2^-90 of
+ *  |r| times the larger m |v|, unless a crossing leaves less than 2^-90 of the
+ *  energy. */
 #define BRINK_IMPULSE_ENERGY_ULP   4
 #define BRINK_IMPULSE_MOMENTUM_ULP 2
 

@@ -22,11 +22,11 @@ BRINK_INLINE two_lanes lanes_fma(two_lanes x, two_lanes y, two_lanes z)
 }
 
 /** Whether x + y, |y| <= 2u |x|, tells in both lanes which double is nearest to
- *  what it stands for, when that is known to 2^-82 of itself: see is_told.  The
+ *  what it stands for, when that is known to 2^-75 of itself: see is_told.  The
  *  doubles go to *nearest. */
 BRINK_INLINE int lanes_are_told(two_lanes x, two_lanes y, two_lanes *nearest)
 {
-    const two_lanes margin = {1 + 0x1p-27, 1 + 0x1p-27};
+    const two_lanes margin = {1 + 0x1p-20, 1 + 0x1p-20};
     two_lanes hi = x + y, again = lanes_fma(y - (hi - x), margin, hi);
     *nearest = hi;
     return (again[0] == hi[0]) & (again[1] == hi[1]);

@@ -157,20 +157,21 @@ static BRINK_APART int roots_exact(double a, double b, double c, double *x0,
  * The same with the low parts carried along.  2, 0, or -1 where a root cannot be
  * rounded with certainty or something is not in range.
  *
- * root is to within 2.2u that of d; s is no less than sqrt(size / 2).
+ * d is to within 3u the exact one, whose root is R, and root^2 to within 5.1u.
  *
- *     d > 2^-40 size:  the residual d - root^2 is off by 14u^2 size: what is
- *              left of d behind t and rest is 3u^2, and 7u^2 and 4u^2 are the
- *              roundings.  With it the root is off by 7u^2 size / sqrt(d), s by
- *              2^-82 of itself
- *     d less:  h^2 and a c agree in 39 bits, so t is exact; and so is rest, as
- *              p.lo and q.lo are together not more than 2^53 of the last places
- *              of the products, whose multiples they are (where a power of 4 is
- *              between h^2 and a c, p.lo is all but 0).  Then t.hi - root^2 is
- *              -rest, a double, but for 4.4u d, and not rounded by more than
- *              that: the root is off by 2.2u sqrt(d), s by 2^-71 of itself
+ *     |h| <= 2^25 R: the residual d - root^2 is off by 16u^2 (h^2 + |a c|), 2u^2
+ *              for what is lost of t's low part and of rest, 14u^2 for the other
+ *              roundings; divided by 2 root that is 2^-77 of s
+ *     |h| more: h^2 and a c agree in 50 bits, so t is exact, and rest is off by
+ *              u d at most: where no power of two is between h^2 and a c, p.lo
+ *              and q.lo are so few of the products' last places that it is exact;
+ *              where one is, they are no more than the products' distances from
+ *              it.  Then t.hi - root^2 is -rest, a double, but for 6.1u d, and
+ *              not rounded by more than that: the residual is off by 7.2u d, s by
+ *              2^-76 of itself
  *
- * and s / a and c / s by as much.  The inverses may be off by some u: the
+ * and s / a and c / s by as much, and by some u^2: 2^-75 at most, which is asked
+ * for (proofs/quadratic_told.v).  The inverses may be off by some u: the
  * residuals of their products make that good.
  */
 BRINK_INLINE int roots_told(double a, double b, double c, double *x0, double *x1)

@@ -22,7 +22,7 @@ static wide wide_sqrt(wide x)
 {
     int odd = x.e & 1;
     dd m = {ldexp(x.m.hi, odd), ldexp(x.m.lo, odd)};
-    return (wide){dd_sqrt(m), (x.e - odd) / 2}; // error <= 4u^2
+    return (wide){dd_sqrt(m), (x.e - odd) / 2}; // error <= 5u^2
 }
 
 /** x + y; where they are more than 2^1000 apart the smaller one may get lost. */
@@ -99,7 +99,7 @@ double brink_dyadic_root(const brink_dyadic *a, const brink_dyadic *b,
     wide root = wide_sqrt(leading(d)), q = leading(b);
     root.m = b->sign < 0 ? dd_negate(root.m) : root.m;
     q = wide_add(q, root);
-    q.m = dd_negate(q.m); // error <= 8u^2
+    q.m = dd_negate(q.m); // error <= 9u^2
 
     // q / a is the upper root where q and a have equal signs.
     polynomial p = {a, b, c, which};
@@ -108,7 +108,7 @@ double brink_dyadic_root(const brink_dyadic *a, const brink_dyadic *b,
         return 0;
     wide x = upper == (which == BRINK_UPPER) ? wide_div(q, leading(a))
                                              : wide_div(leading(c), q);
-    return round_root(&p, x); // error <= (8 + 2 + 16)u^2 < 2^-101
+    return round_root(&p, x); // error <= (9 + 2 + 16)u^2 < 2^-101
 }
 
 double brink_dyadic_quotient(const brink_dyadic *x, const brink_dyadic *y)

@@ -7,6 +7,21 @@ From Flocq Require Import Core.
 From Brink Require Import rounding event_time_root.
 Open Scope R_scope.
 
+(* discriminant_near: d, *)
+Definition near_d a b c := rnd (rnd (b * b) - a * c).
+(* and what makes it certain: inside, as c is known; coming, and d large beside b^2 and what c is
+   off by; or outside and leaving. *)
+Definition is_inside c e := rnd (3166593487994880 * e) < - c. (* 1.40625 2^51 *)
+Definition is_large b d := rnd (3 / 4 * rnd (b * b)) < d.
+Definition is_large_beside_c a d e := rnd (36028797018963968 * a * e) < d. (* 2^55 *)
+Definition is_outside c e := 2 * e < c.
+Definition is_leaving a b size := (* 2^-200 *)
+  rnd (/ 1606938044258990275541962092341162602522202993782792835301376 * a * size) < rnd (b * b).
+(* later_root, of the root of d. *)
+Definition near_root a b c d :=
+  let sum := rnd (rnd (sqrt d) + Rabs b) in
+  if Rlt_dec 0 b then rnd (- c / sum) else rnd (sum / a).
+
 (* b, rounded from a sum that is off by 7u^2 P; where P^2 < 2^90 d that is nothing beside the
    root. *)
 Lemma known_b B bs P s : 0 <= P -> 0 < s -> P * P <= 1237940039285380274899124224 * (s * s) ->
@@ -32,10 +47,10 @@ Proof. intros HA H; apply Rabs_le_inv in H; unfold tiny, u in *; repeat split; l
 (* c from a sum that is off by e, where is_known says that it is, or by as much in all: where
    |c| >= R / 3 a leading difference was rounded, by 1u. *)
 Lemma known_c C cs e : 0 <= e -> let c := rnd cs in
-  Rabs (cs - C) <= e + 3 * u * u * Rabs cs -> rnd (3166593487994880 * e) < - c -> (* 1.40625 2^51 *)
+  Rabs (cs - C) <= e + 3 * u * u * Rabs cs -> is_inside c e ->
   Rabs (C - c) <= 3850 / 1000 * u * Rabs c /\ c < 0 /\ e <= / 3166593487994880 * (11 / 10 * - c).
 Proof.
-intros E c H K; apply Rabs_le_inv in H.
+intros E c H K; apply Rabs_le_inv in H; unfold is_inside in K.
 assert (L := low_own cs); assert (Q := rounded cs); fold c in Q.
 assert (M := low_own (3166593487994880 * e)); rewrite (rounded (_ * e)) in K.
 set (l := low cs) in *; set (m := low _) in *; clearbody l m c.
@@ -53,11 +68,10 @@ Theorem later_root_inside A B C P a bs c : 0 < A -> 0 <= P ->
   Rabs (a - A) <= 3 * tiny * u * A -> Rabs (bs - B) <= 71 / 10 * u * u * P -> c < 0 ->
   Rabs (C - c) <= 3850 / 1000 * u * Rabs c ->
   let b := rnd bs in P * P <= 1237940039285380274899124224 * (b * b - a * c) ->
-  let d := rnd (rnd (b * b) - a * c) in let sum := rnd (rnd (sqrt d) + Rabs b) in
   let T := (sqrt (B * B - A * C) - B) / A in
-  Rabs ((if Rlt_dec 0 b then rnd (- c / sum) else rnd (sum / a)) - T) <= 8 * u * T.
+  Rabs (near_root a b c (near_d a b c) - T) <= 8 * u * T.
 Proof.
-intros HA HP Ka Kb Hc Kc b Q d sum T.
+intros HA HP Ka Kb Hc Kc b Q T; unfold near_root, near_d; cbv zeta.
 destruct (known_a A a HA Ka) as [Ha Da].
 assert (Pc : a * c < 0) by (apply negative; lra).
 assert (Pb := Rle_0_sqr b); unfold Rsqr in Pb.
@@ -96,10 +110,9 @@ Theorem later_root_known A B C P R a bs cs e : 0 < A -> 0 <= P -> 0 <= e ->
   Rabs (a - A) <= 3 * tiny * u * A -> Rabs (bs - B) <= 71 / 10 * u * u * P ->
   Rabs (cs - C) <= e + 3 * u * u * Rabs cs -> P * P <= A * R ->
   R <= 2 * 1393796574908163946345982392040522594123776 * e -> (* 2^141 *)
-  let b := rnd bs in let c := rnd cs in rnd (3166593487994880 * e) < - c ->
-  let d := rnd (rnd (b * b) - a * c) in let sum := rnd (rnd (sqrt d) + Rabs b) in
+  let b := rnd bs in let c := rnd cs in is_inside c e ->
   let T := (sqrt (B * B - A * C) - B) / A in
-  Rabs ((if Rlt_dec 0 b then rnd (- c / sum) else rnd (sum / a)) - T) <= 8 * u * T.
+  Rabs (near_root a b c (near_d a b c) - T) <= 8 * u * T.
 Proof.
 intros HA HP He Ka Kb Kc Q1 Q2 b c K.
 destruct (known_c C cs e He Kc K) as (Dc & Hc & Ee); fold c in Dc, Hc, Ee.
@@ -119,12 +132,13 @@ Theorem later_root_near A B C P R a bs c e : 0 < A -> 0 <= P -> 0 <= e ->
   Rabs (a - A) <= 3 * tiny * u * A -> Rabs (bs - B) <= 71 / 10 * u * u * P ->
   Rabs (C - c) <= 201 / 100 * u * Rabs c + e ->
   P * P <= A * R -> R <= 2 * 1393796574908163946345982392040522594123776 * e -> (* 2^141 *)
-  let b := rnd bs in let bb := rnd (b * b) in let d := rnd (bb - a * c) in
-  b < 0 -> rnd (3 / 4 * bb) < d -> rnd (36028797018963968 * a * e) < d -> (* 2^55 *)
-  let sum := rnd (rnd (sqrt d) + Rabs b) in let T := (sqrt (B * B - A * C) - B) / A in
-  Rabs (rnd (sum / a) - T) <= 8 * u * T.
+  let b := rnd bs in let d := near_d a b c in b < 0 -> is_large b d -> is_large_beside_c a d e ->
+  let T := (sqrt (B * B - A * C) - B) / A in Rabs (near_root a b c d - T) <= 8 * u * T.
 Proof.
-intros HA HP He Ka Kb Kc Q1 Q2 b bb d Neg D1 D2 sum T.
+intros HA HP He Ka Kb Kc Q1 Q2 b d Neg D1 D2 T; unfold is_large, is_large_beside_c in D1, D2.
+set (bb := rnd (b * b)) in *; change d with (rnd (bb - a * c)) in *; clear d.
+set (d := rnd (bb - a * c)) in *; unfold near_root; cbv zeta.
+set (sum := rnd (rnd (sqrt d) + Rabs b)).
 destruct (known_a A a HA Ka) as [Ha Da].
 assert (Pb : 0 < b * b) by (replace (b * b) with (- b * - b) by ring; apply Rmult_lt_0_compat; lra).
 assert (Ae : 0 <= a * e) by (apply Rmult_le_pos; lra).
@@ -190,11 +204,10 @@ Qed.
 Theorem already_parted A B C P R a bs cs e size : 0 < A -> 0 <= P -> 0 <= e -> 0 <= R ->
   Rabs (a - A) <= 3 * tiny * u * A -> Rabs (bs - B) <= 71 / 10 * u * u * P ->
   Rabs (cs - C) <= e + 3 * u * u * Rabs cs -> P * P <= A * R -> R / 2 <= size ->
-  let b := rnd bs in let c := rnd cs in 0 < b -> 2 * e < c ->
-  rnd (/ 1606938044258990275541962092341162602522202993782792835301376 * a * size) < rnd (b * b) ->
-  (* 2^-200 *) 0 < B /\ 0 < C.
+  let b := rnd bs in let c := rnd cs in 0 < b -> is_outside c e -> is_leaving a b size ->
+  0 < B /\ 0 < C.
 Proof.
-intros HA HP He HR Ka Kb Kc Q Hz b c Pb Pc K.
+intros HA HP He HR Ka Kb Kc Q Hz b c Pb Pc K; unfold is_outside, is_leaving in Pc, K.
 destruct (known_a A a HA Ka) as [Ha Da]; apply Rabs_le_inv in Kb; apply Rabs_le_inv in Kc.
 assert (Eb := rounded bs); assert (Ec := rounded cs); fold b in Eb; fold c in Ec.
 assert (Lb := low_own bs); assert (Lc := low_own cs).

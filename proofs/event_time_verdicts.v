@@ -43,12 +43,20 @@ Qed.
 Lemma same_sign x X : Rabs (x - X) <= / 2 * Rabs x -> (0 < x -> 0 < X) /\ (x < 0 -> X < 0).
 Proof. intro H; split; intro; revert H; unfold Rabs; repeat destruct Rcase_abs; intros; lra. Qed.
 
-(* meeting_of, is_b_certain: b was rounded from a sum that is off by 7u^2 P. *)
+(* meeting_of: is_b_certain, t for an absolute term, what c is beside its error, and
+   is_certain_to_miss: parts. *)
+Definition is_b_certain a b size t := (* 2^-200 *)
+  rnd (/ 1606938044258990275541962092341162602522202993782792835301376 * rnd (a * size) + t) <
+  rnd (b * b).
+Definition is_inside c e := c < - (2 * e).
+Definition is_known c e := rnd (3166593487994880 * e) < c. (* 1.40625 2^51 *)
+Definition parts a b rr := (* 2^-100 *)
+  rnd (/ 1267650600228229401496703205376 * rnd (a * rr) + 0) < rnd (b * b).
+
+(* is_b_certain: b was rounded from a sum that is off by 7u^2 P. *)
 Theorem b_is_certain A B P R a size bs t : 0 <= A -> 0 <= R -> 0 <= P -> P * P <= A * R -> 0 <= t ->
   99 / 100 * A <= a -> 99 / 100 * R <= size -> Rabs (bs - B) <= 71 / 10 * u * u * P ->
-  let b := rnd bs in
-  rnd (/ 1606938044258990275541962092341162602522202993782792835301376 * rnd (a * size) + t) <
-    rnd (b * b) -> (* 2^-200 *) (0 < b -> 0 < B) /\ (b < 0 -> B < 0).
+  let b := rnd bs in is_b_certain a b size t -> (0 < b -> 0 < B) /\ (b < 0 -> B < 0).
 Proof.
 intros HA HR HP Q T Ha Hs Kb b F.
 assert (S := size_by_b A P R a size b
@@ -67,7 +75,7 @@ Qed.
 (* is_certain_to_miss, parts: b of dot_rounded, off by 3u P. *)
 Theorem parts_is_certain A B P rr a r2 b : 0 <= A -> 0 <= rr -> 0 <= P -> P * P <= A * rr ->
   99 / 100 * A <= a -> 99 / 100 * rr <= r2 -> Rabs (b - B) <= 3 * tiny * u * P -> 0 < b ->
-  rnd (/ 1267650600228229401496703205376 * rnd (a * r2) + 0) < rnd (b * b) -> (* 2^-100 *) 0 < B.
+  parts a b r2 -> 0 < B.
 Proof.
 intros HA HR HP Q Ha Hs Kb Pb F.
 assert (S := size_by_b A P rr a r2 b (/ 1267650600228229401496703205376)
@@ -78,9 +86,10 @@ Qed.
 
 (* c: inside where it is below -2 of what its sum is off by, outside where it is known. *)
 Theorem c_is_certain C cs e : 0 <= e -> Rabs (cs - C) <= e + 3 * u * u * Rabs cs ->
-  let c := rnd cs in (c < - 2 * e -> C < 0) /\ (rnd (3166593487994880 * e) < c -> 0 < C).
+  let c := rnd cs in (is_inside c e -> C < 0) /\ (is_known c e -> 0 < C).
 Proof.
-intros E H c; assert (L := low_own cs); assert (Q := rounded cs); fold c in Q.
+intros E H c; unfold is_inside, is_known.
+assert (L := low_own cs); assert (Q := rounded cs); fold c in Q.
 set (l := low cs) in *; clearbody l c.
 assert (M := low_own (3166593487994880 * e)); rewrite (rounded (_ * e)).
 set (m := low _) in *; clearbody m; rewrite (Rabs_pos_eq (_ * e)) in M by lra.

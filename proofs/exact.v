@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* Error-free transforms of exact.h in binary64, round to nearest even: the double
    format with gradual underflow and, above, no bound: overflow is excluded. *)
-From Coq Require Import ZArith Reals Psatz.
+From Coq Require Import ZArith Reals Psatz Lia.
 From Flocq Require Import Core Mult_error Plus_error Relative Pff2Flocq.
 Open Scope R_scope.
 
@@ -29,6 +29,34 @@ Proof. apply round_generic; auto with typeclass_instances. Qed.
 Lemma to_even_is_odd x : negb (Z.even x) = negb (negb (Z.even (- (x + 1)))).
 Proof. rewrite Z.even_opp, Z.even_add; simpl; destruct (Z.even x);
   reflexivity. Qed.
+
+(* m 2^e is a double if m has no more than 53 bits, or is 2^53. *)
+Lemma few_bits m e :
+  (Z.abs m <= 2 ^ 53)%Z -> (emin <= e)%Z -> is_double (IZR m * pow e).
+Proof.
+intros M E.
+destruct (Z.eq_dec (Z.abs m) (2 ^ 53)) as [T|T].
+- assert (is_double (pow (53 + e))) as P
+    by (apply generic_format_bpow; unfold FLT_exp, emin, prec in *; lia).
+  assert (IZR m * pow e = pow (53 + e) \/ IZR m * pow e = - pow (53 + e))
+    as [-> | ->].
+  { rewrite bpow_plus; assert (m = 2 ^ 53 \/ m = - 2 ^ 53)%Z as [-> | ->] by lia;
+      [left; change (2 ^ 53)%Z with 9007199254740992%Z
+      | right; change (- 2 ^ 53)%Z with (-9007199254740992)%Z]; simpl (pow 53);
+        lra. }
+  + exact P.
+  + apply generic_format_opp, P.
+- apply generic_format_FLT; exists (Float radix2 m e); simpl; try easy.
+  change (Z.pow_pos 2 53) with (2 ^ 53)%Z; lia.
+Qed.
+
+Lemma taken_apart x : is_double x ->
+  exists m e, x = IZR m * pow e /\ (Z.abs m <= 2 ^ 53 - 1)%Z /\ (emin <= e)%Z.
+Proof.
+intro X; destruct (FLT_format_generic radix2 emin prec x X) as [[m e] E M L].
+exists m, e; simpl in *; repeat split; try assumption.
+change (Z.pow_pos 2 53) with (2 ^ 53)%Z in M; lia.
+Qed.
 
 (* --- two_sum, fast_two_sum, two_prod ---------------------------------------- *)
 
@@ -100,14 +128,16 @@ Qed.
 
 (* --- is_told ---------------------------------------------------------------- *)
 
-Lemma told_by_more t x : is_double (hi t) ->
-  fma (lo t) (1 + pow (-15)) (hi t) = hi t ->
-  Rabs (hi t + lo t - x) <= pow (-15) * Rabs (lo t) -> rnd x = hi t.
+Lemma told_by_more k t x : (1 <= k)%Z -> is_double (hi t) ->
+  fma (lo t) (1 + pow (- k)) (hi t) = hi t ->
+  Rabs (hi t + lo t - x) <= pow (- k) * Rabs (lo t) -> rnd x = hi t.
 Proof.
-intros H Told Near; unfold fma in Told.
-assert (0 <= pow (-15) <= 1 / 2) as Small by (simpl; lra).
-apply Rabs_le_inv in Near.
-(* x lies between hi and hi + lo (1 + 2^-15), which both round to hi. *)
+intros K H Told Near; unfold fma in Told.
+assert (0 <= pow (- k) <= 1 / 2) as Small.
+{ split; [apply bpow_ge_0|]; apply Rle_trans with (pow (-1));
+    [apply bpow_le; lia | simpl; lra]. }
+apply Rabs_le_inv in Near; set (more := pow (- k)) in *.
+(* x lies between hi and hi + lo (1 + 2^-k), which both round to hi. *)
 apply Rle_antisym.
 - destruct (Rle_or_lt 0 (lo t)).
   + rewrite <- Told; apply round_le; auto with typeclass_instances.
@@ -160,18 +190,42 @@ Qed.
    is known to 2^-70: of any magnitude, barring overflow. *)
 Definition is_told (x : dd) := fma (lo x) (1 + pow (-15)) (hi x) = hi x.
 
-Theorem told_is_nearest t x : is_double (hi t) -> is_told t ->
-  Rabs (hi t + lo t - x) <= pow (-70) * Rabs (hi t) -> rnd x = hi t.
+Lemma told_by_k k t x : (15 <= k)%Z -> is_double (hi t) ->
+  fma (lo t) (1 + pow (- k)) (hi t) = hi t ->
+  Rabs (hi t + lo t - x) <= pow (- k - 55) * Rabs (hi t) -> rnd x = hi t.
 Proof.
-intros H Told Near.
+intros K H Told Near; pose proof (Rabs_pos (hi t)) as P.
 destruct (Rle_or_lt (pow (-55) * Rabs (hi t)) (Rabs (lo t))) as [Large|Little].
-- apply told_by_more; try assumption; apply Rle_trans with (1 := Near).
-  simpl in Large |- *; lra.
-- apply near_is_nearest; try assumption.
+- apply told_by_more with k; try assumption; [lia|].
+  apply Rle_trans with (1 := Near); unfold Zminus; rewrite bpow_plus, Rmult_assoc.
+  apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Large].
+- assert (pow (- k - 55) <= pow (-70)) by (apply bpow_le; lia).
+  assert (pow (- k - 55) * Rabs (hi t) <= pow (-70) * Rabs (hi t))
+    by (apply Rmult_le_compat_r; assumption).
+  apply near_is_nearest; try assumption.
   + intro Z; rewrite Z, Rabs_R0, Rmult_0_r in Little;
       pose proof (Rabs_pos (lo t)); lra.
   + replace (x - hi t) with (lo t - (hi t + lo t - x)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra.
+Qed.
+
+Theorem told_is_nearest t x : is_double (hi t) -> is_told t ->
+  Rabs (hi t + lo t - x) <= pow (-70) * Rabs (hi t) -> rnd x = hi t.
+Proof. exact (told_by_k 15 t x ltac:(lia)). Qed.
+
+(* lanes_are_told(), a lane of it: the same of x + y, |y| <= |x|, where it is
+   known to 2^-75. *)
+Definition is_told_in_lane (x y : R) := let h := plus x y in
+  fma (minus y (minus h x)) (1 + pow (-20)) h = h.
+
+Theorem told_in_lane_is_nearest x y z : is_double x -> is_double y ->
+  Rabs y <= Rabs x -> is_told_in_lane x y ->
+  Rabs (x + y - z) <= pow (-75) * Rabs (rnd (x + y)) -> rnd z = rnd (x + y).
+Proof.
+intros X Y L Told Near; set (t := fast_two_sum x y).
+pose proof (fast_two_sum_is_exact x y X Y (or_introl L)) as E; fold t in E.
+apply (told_by_k 20 t); [lia | apply rnd_is_double | exact Told |].
+rewrite E; exact Near.
 Qed.
 
 (* --- Double-double times double --------------------------------------------- *)

@@ -40,9 +40,6 @@ replace (lo (fast_two_sum a b)) with (- (rnd (a + b) - (a + b)))
 rewrite Rabs_Ropp; apply half_ulp_of_rounded.
 Qed.
 
-Definition dd_add_d (x : dd) (y : R) :=
-  let s := two_sum (hi x) y in fast_two_sum (hi s) (plus (lo x) (lo s)).
-
 Lemma ulp_below x k : Rabs x < pow k -> ulp x <= pow (Z.max (k - 53) emin).
 Proof.
 intro X; destruct (Req_dec x 0) as [-> | N].
@@ -52,10 +49,103 @@ intro X; destruct (Req_dec x 0) as [-> | N].
   assert (mag radix2 x <= k)%Z by (apply mag_le_bpow; assumption); lia.
 Qed.
 
+Lemma sum_relative a b : is_double a -> is_double b ->
+  Rabs (rnd (a + b) - (a + b)) <= u * Rabs (a + b).
+Proof.
+intros A B; destruct (FLT_plus_error_N_ex radix2 emin prec (fun x => negb (Z.even x)) a b A B)
+  as (eps & Small & ->).
+replace ((a + b) * (1 + eps) - (a + b)) with (eps * (a + b)) by ring; rewrite Rabs_mult.
+apply Rmult_le_compat_r; [apply Rabs_pos |]; apply Rle_trans with (1 := Small).
+unfold u_ro; simpl; lra.
+Qed.
+
+(* Up to 2^k a number is rounded by at most half the last place below. *)
+Lemma up_to_power x k : (emin <= k - 53)%Z -> Rabs x <= pow k -> Rabs (rnd x - x) <= pow (k - 54).
+Proof.
+intros K [L | E].
+- assert (U := ulp_below x k L); rewrite Z.max_l in U by lia; assert (H := half_ulp x).
+  replace (k - 53)%Z with (1 + (k - 54))%Z in U by lia; rewrite bpow_plus in U.
+  simpl (pow 1) in U; lra.
+- assert (F : is_double x).
+  { assert (P : is_double (pow k))
+      by (apply generic_format_bpow; unfold FLT_exp, prec, emin in *; lia).
+    revert E; unfold Rabs; destruct Rcase_abs; intro E; [| rewrite E; exact P].
+    replace x with (- pow k) by lra; apply generic_format_opp, P. }
+  rewrite (rnd_of_double _ F), Rminus_diag_eq, Rabs_R0 by reflexivity; apply bpow_ge_0.
+Qed.
+
+(* fast_two_sum where b is larger, but has not more than 53 bits from a's last one on. *)
+Lemma fast_two_sum_of_multiples m n g : (Z.abs m <= Z.abs n)%Z -> (Z.abs n <= 2 ^ 53 - 1)%Z ->
+  (emin <= g)%Z -> let a := IZR m * pow g in let b := IZR n * pow g in
+  is_double a -> is_double b -> hi (fast_two_sum a b) + lo (fast_two_sum a b) = a + b.
+Proof.
+intros M N G a b A B; cbn [fast_two_sum hi lo]; unfold plus, minus.
+assert (Few : forall k, (Z.abs k <= 2 ^ 53)%Z -> is_double (IZR k * pow g)) by
+  (intros; apply few_bits; assumption).
+assert (S : a + b = IZR (m + n) * pow g) by (unfold a, b; rewrite plus_IZR; ring).
+destruct (Z_le_gt_dec (Z.abs (m + n)) (2 ^ 53)) as [Small | Large].
+{ assert (D : is_double (a + b)) by (rewrite S; apply Few, Small).
+  rewrite (rnd_of_double _ D); replace (a + b - a) with b by ring.
+  rewrite (rnd_of_double b B), Rminus_diag_eq, round_0 by auto with typeclass_instances; ring. }
+(* the sum is rounded to an even one, and what is left has few bits *)
+set (l := (m + n)%Z) in *; assert (Pg := bpow_gt_0 radix2 g).
+assert (L : Rabs (a + b) = IZR (Z.abs l) * pow g).
+{ rewrite S, Rabs_mult, (Rabs_pos_eq (pow g)), <- abs_IZR by lra; reflexivity. }
+assert (Up : Rabs (a + b) < pow (54 + g)).
+{ rewrite L, bpow_plus; apply Rmult_lt_compat_r; [lra |].
+  change (pow 54) with (IZR (2 ^ 54)); apply IZR_lt; lia. }
+assert (Down : pow (53 + g) <= Rabs (a + b)).
+{ rewrite L, bpow_plus; apply Rmult_le_compat_r; [lra |].
+  change (pow 53) with (IZR (2 ^ 53)); apply IZR_le; lia. }
+assert (C : cexp radix2 exponent (a + b) = (1 + g)%Z).
+{ unfold cexp, FLT_exp; rewrite (mag_unique radix2 (a + b) (54 + g)); [unfold prec; lia |].
+  replace (54 + g - 1)%Z with (53 + g)%Z by lia; split; assumption. }
+assert (N0 : a + b <> 0).
+{ intro Z; rewrite Z, Rabs_R0 in Down; generalize (bpow_gt_0 radix2 (53 + g)); lra. }
+assert (H := half_ulp (a + b)); rewrite ulp_neq_0, C, bpow_plus in H by exact N0.
+simpl (pow 1) in H.
+assert (E : exists k, rnd (a + b) = IZR k * pow g).
+{ exists (ZnearestE (scaled_mantissa radix2 exponent (a + b)) * 2)%Z.
+  unfold round, F2R; cbn [Fnum Fexp]; rewrite C, mult_IZR, bpow_plus; change (pow 1) with 2; ring. }
+destruct E as [k E]; rewrite E, S, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (pow g)),
+  <- minus_IZR, <- abs_IZR in H by lra.
+assert (K : (Z.abs (k - l) <= 1)%Z).
+{ apply le_IZR, (Rmult_le_reg_r (pow g)); lra. }
+rewrite E; replace (IZR k * pow g - a) with (IZR (k - m) * pow g)
+  by (unfold a; rewrite minus_IZR; ring).
+rewrite (rnd_of_double (IZR (k - m) * _)) by (apply Few; unfold l in K; lia).
+replace (b - IZR (k - m) * pow g) with (IZR (n - (k - m)) * pow g)
+  by (unfold b; rewrite !minus_IZR; ring).
+rewrite (rnd_of_double (IZR (n - (k - m)) * _)) by (apply Few; unfold l in K; lia).
+rewrite S; unfold l; rewrite !minus_IZR, !plus_IZR; ring.
+Qed.
+
+(* Where it is exact fast_two_sum leaves what two_sum does. *)
+Lemma as_two_sum a b : is_double a -> is_double b ->
+  hi (fast_two_sum a b) + lo (fast_two_sum a b) = a + b -> fast_two_sum a b = two_sum a b.
+Proof.
+intros A B E; assert (F := two_sum_is_exact a b A B).
+assert (H : hi (fast_two_sum a b) = hi (two_sum a b)) by reflexivity.
+assert (L : lo (fast_two_sum a b) = lo (two_sum a b)) by lra.
+destruct (fast_two_sum a b), (two_sum a b); cbn in H, L; subst; reflexivity.
+Qed.
+
+Lemma two_sum_swaps a b : is_double a -> is_double b -> two_sum a b = two_sum b a.
+Proof.
+intros A B; assert (E := two_sum_is_exact a b A B); assert (F := two_sum_is_exact b a B A).
+assert (H : hi (two_sum a b) = hi (two_sum b a))
+  by (cbn; unfold plus; rewrite Rplus_comm; reflexivity).
+assert (L : lo (two_sum a b) = lo (two_sum b a)) by lra.
+destruct (two_sum a b), (two_sum b a); cbn in H, L; subst; reflexivity.
+Qed.
+
+Definition dd_add_d (x : dd) (y : R) :=
+  let s := two_sum (hi x) y in fast_two_sum (hi s) (plus (lo x) (lo s)).
+
 (* Where two doubles do not cancel, their sum is as large as half of either; where they do, it is
-   exact, and 0 or no less than half of a last place. *)
+   exact, and some halves of a last place. *)
 Lemma cancels_or_not a b : is_double a -> is_double b -> Rabs a <= 2 * Rabs (a + b) \/
-  (is_double (a + b) /\ (a + b = 0 \/ / 2 * ulp a <= Rabs (a + b))).
+  (is_double (a + b) /\ exists m, a + b = IZR m * (/ 2 * ulp a)).
 Proof.
 intros A B; destruct (Rle_or_lt (Rabs a) (2 * Rabs (a + b))) as [L | L]; [left; exact L | right].
 assert (Lb : / 2 * Rabs a <= Rabs b <= 2 * Rabs a).
@@ -68,8 +158,7 @@ split.
   + replace (a - - b) with (- (- a - b)) by ring; apply generic_format_opp.
     apply sterbenz; auto with typeclass_instances; [apply generic_format_opp, A |].
     revert L; rewrite (Rabs_left a) by exact N; unfold Rabs; destruct Rcase_abs; intro; lra.
-- destruct (Req_dec (a + b) 0) as [Z | Z]; [left; exact Z | right].
-  assert (A0 : a <> 0) by (intros ->; rewrite Rabs_R0 in L; generalize (Rabs_pos (0 + b)); lra).
+- assert (A0 : a <> 0) by (intros ->; rewrite Rabs_R0 in L; generalize (Rabs_pos (0 + b)); lra).
   rewrite ulp_neq_0 by exact A0; set (k := (cexp radix2 exponent a - 1)%Z).
   assert (E : / 2 * pow (cexp radix2 exponent a) = pow k).
   { unfold k, Zminus; rewrite bpow_plus; simpl (pow (- (1))); lra. }
@@ -82,19 +171,22 @@ split.
     assert (M := bpow_mag_le radix2 a A0); simpl (pow (-1)); lra. }
   set (m := Ztrunc (scaled_mantissa radix2 exponent a)) in *.
   set (n := Ztrunc (scaled_mantissa radix2 exponent b)) in *.
-  assert (S : a + b = IZR (m * 2 + n * 2 ^ (cexp radix2 exponent b - k)) * pow k).
-  { rewrite plus_IZR, !mult_IZR, (IZR_Zpower radix2) by lia.
-    transitivity (IZR m * pow (cexp radix2 exponent a) + IZR n * pow (cexp radix2 exponent b));
-      [f_equal; assumption |].
-    rewrite Rmult_plus_distr_r; f_equal.
-    - replace (cexp radix2 exponent a) with (1 + k)%Z by (unfold k; lia).
-      rewrite bpow_plus; change (pow 1) with 2; ring.
-    - rewrite Rmult_assoc, <- bpow_plus; do 2 f_equal; lia. }
-  rewrite S, Rabs_mult, (Rabs_pos_eq (pow k)) by apply bpow_ge_0.
-  rewrite <- (Rmult_1_l (pow k)) at 1; apply Rmult_le_compat_r; [apply bpow_ge_0 |].
-  rewrite <- abs_IZR; apply (IZR_le 1).
-  assert (m * 2 + n * 2 ^ (cexp radix2 exponent b - k) <> 0)%Z; [| lia].
-  intro O; apply Z; rewrite S, O; ring.
+  exists (m * 2 + n * 2 ^ (cexp radix2 exponent b - k))%Z.
+  rewrite plus_IZR, !mult_IZR, (IZR_Zpower radix2) by lia.
+  transitivity (IZR m * pow (cexp radix2 exponent a) + IZR n * pow (cexp radix2 exponent b));
+    [f_equal; assumption |].
+  rewrite Rmult_plus_distr_r; f_equal.
+  + replace (cexp radix2 exponent a) with (1 + k)%Z by (unfold k; lia).
+    rewrite bpow_plus; change (pow 1) with 2; ring.
+  + rewrite Rmult_assoc, <- bpow_plus; do 2 f_equal; lia.
+Qed.
+
+(* Some of anything are none, or no less than one. *)
+Lemma some_of m x : 0 <= x -> IZR m * x = 0 \/ x <= Rabs (IZR m * x).
+Proof.
+intro P; destruct (Z.eq_dec m 0) as [-> | N]; [left; ring | right].
+rewrite Rabs_mult, (Rabs_pos_eq x P), <- abs_IZR, <- (Rmult_1_l x) at 1.
+apply Rmult_le_compat_r; [exact P | apply (IZR_le 1); lia].
 Qed.
 
 Lemma sum_is_exact a b : is_double a -> is_double b -> Rabs (a + b) <= pow (prec + emin) ->
@@ -135,12 +227,13 @@ enough (K : (Rabs v <= Rabs (hi s) \/ hi s = 0) /\
   rewrite T; unfold total; replace (hi s + v - (hi x + lo x + y)) with (v - (lo x + lo s)) by lra.
   exact (proj2 K). }
 assert (Zp := Rabs_pos (hi x + y)).
-destruct (cancels_or_not (hi x) y H Y) as [Big | [Ex Least]].
+destruct (cancels_or_not (hi x) y H Y) as [Big | [Ex (m & Least)]].
 2: { (* the sum is exact, and so is what is left *)
   assert (Lo : lo s = 0) by (rewrite Hs, rnd_of_double in E by exact Ex; lra).
   assert (Hv : v = lo x) by (unfold v, plus; rewrite Lo, Rplus_0_r; apply rnd_of_double, L).
   split; [| rewrite Hv, Lo, Rplus_0_r, Rminus_diag_eq, Rabs_R0 by reflexivity; lra].
-  rewrite Hs, rnd_of_double, Hv by exact Ex; destruct Least; [right | left]; lra. }
+  rewrite Hs, rnd_of_double, Hv by exact Ex; assert (U := ulp_ge_0 radix2 exponent (hi x)).
+  destruct (some_of m (/ 2 * ulp (hi x)) ltac:(lra)); rewrite <- Least in *; [right | left]; lra. }
 set (z := hi x + y) in *; set (t := lo x + lo s) in *.
 destruct (Req_dec z 0) as [Z | Z].
 { assert (X0 : ulp (hi x) = pow emin).

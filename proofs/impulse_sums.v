@@ -1,71 +1,24 @@
-(* with: rounding.v *)
+(* with: rounding.v exact_dd_products.v *)
 (* SPDX-License-Identifier: MIT *)
 (* impulse.c, pair_kick: what a pair's momentum is off by, from the masses' shares k1 and k2 on.
    Double-double with what fast_two_sum leaves behind as it is meant to be; unbounded exponents.
    BRINK_IMPULSE_MOMENTUM_ULP 2, but for its 2^-46th part. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding.
+From Brink Require Import rounding exact_dd_products.
 Open Scope R_scope.
 
-(* A double-double as two_sum leaves it. *)
-Definition is_dd (x : R * R) := Rabs (snd x) <= 1001 / 1000 * u * Rabs (fst x).
-Definition total (x : R * R) := fst x + snd x.
-Definition normal s := (rnd s, low s). (* fast_two_sum of what sums up to s *)
+(* dd_div of a double has a better bound: q and what is left over of it. *)
+Definition dd_div (x : R) (y : dd) :=
+  let q := rnd (x / hi y) in let p := hi y * q in
+  let r := rnd p + rnd (lo y * q + low p) in
+  normal (q + rnd (rnd (rnd (x - rnd r) - low r) / hi y)).
 
-Lemma normal_is_dd s : is_dd (normal s) /\ total (normal s) = s.
-Proof.
-unfold is_dd, total, normal; cbn [fst snd]; assert (H := low_own s); rewrite (rounded s).
-set (l := low s) in *; clearbody l; split; [| ring].
-revert H; unfold u, Rabs; repeat destruct Rcase_abs; intros; lra.
-Qed.
-
-Definition dd_mul (x y : R * R) := let p := fst x * fst y in
-  normal (rnd p + rnd (low p +
-    rnd (snd x * fst y + rnd (fst x * snd y + rnd (snd x * snd y))))).
-
-(* 6.1u^2, and fast_two_sum's condition. *)
-Theorem dd_mul_is_close x y : is_dd x -> is_dd y ->
-  Rabs (total (dd_mul x y) - total x * total y) <= 62 / 10 * u * u * Rabs (fst x * fst y) /\
-  is_dd (dd_mul x y).
-Proof.
-destruct x as [xh xl], y as [yh yl]; unfold dd_mul, is_dd at 1 2, total at 2 3; cbn [fst snd].
-intros X Y; set (s := rnd (xh * yh) + _); destruct (normal_is_dd s) as [N ->]; split; [| exact N].
-unfold s; clear s N.
-assert (Hx : - (1001 / 1000 * u * Rabs xh) <= xl <= 1001 / 1000 * u * Rabs xh)
-  by (apply Rabs_le_inv, X).
-assert (Hy : - (1001 / 1000 * u * Rabs yh) <= yl <= 1001 / 1000 * u * Rabs yh)
-  by (apply Rabs_le_inv, Y).
-assert (Sx := Rabs_le_inv xh _ (Rle_refl _)); assert (Sy := Rabs_le_inv yh _ (Rle_refl _)).
-assert (P1 := product _ _ _ _ Sx Sy); assert (P2 := product _ _ _ _ Sx Hy).
-assert (P3 := product _ _ _ _ Hx Sy); assert (P4 := product _ _ _ _ Hx Hy).
-rewrite Rabs_mult; set (T := Rabs xh * Rabs yh) in *.
-replace (Rabs xh * (1001 / 1000 * u * Rabs yh)) with (1001 / 1000 * u * T) in P2
-  by (unfold T; ring).
-replace (1001 / 1000 * u * Rabs xh * Rabs yh) with (1001 / 1000 * u * T) in P3 by (unfold T; ring).
-replace (1001 / 1000 * u * Rabs xh * (1001 / 1000 * u * Rabs yh)) with
-  (1001 / 1000 * 1001 / 1000 * u * u * T) in P4 by (unfold T; field).
-replace ((xh + xl) * (yh + yl)) with (xh * yh + xh * yl + xl * yh + xl * yl) by ring.
-set (hh := xh * yh) in *; set (hl := xh * yl) in *; set (lh := xl * yh) in *.
-set (ll := xl * yl) in *; clearbody hh hl lh ll T; clear X Y Hx Hy Sx Sy; unfold u in *.
-round_off hh T l0; round_off ll (11 / 10 / 9007199254740992 / 9007199254740992 * T) l1.
-round_off (hl + (ll - l1)) (1002 / 1000 / 9007199254740992 * T) l2.
-round_off (lh + (hl + (ll - l1) - l2)) (2004 / 1000 / 9007199254740992 * T) l3.
-round_off (l0 + (lh + (hl + (ll - l1) - l2) - l3)) (3006 / 1000 / 9007199254740992 * T) l4.
-bound.
-Qed.
-
-(* dd_div of a double: q and what is left over of it. *)
-Definition dd_div (x : R) (y : R * R) :=
-  let q := rnd (x / fst y) in let p := fst y * q in
-  let r := rnd p + rnd (snd y * q + low p) in
-  normal (q + rnd (rnd (rnd (x - rnd r) - low r) / fst y)).
-
-Theorem dd_div_is_close x y : 0 < x -> 0 < fst y -> is_dd y -> is_dd (dd_div x y) /\
+Theorem dd_div_is_close x y : 0 < x -> 0 < hi y -> is_dd y -> is_dd (dd_div x y) /\
   Rabs (total (dd_div x y) * total y - x) <= 13 * u * u * x.
 Proof.
-destruct y as [h l]; unfold is_dd at 1, total at 2; cbn [fst snd]; intros X H D.
-unfold dd_div; cbn [fst snd]; cbv zeta.
+destruct y as [h l]; unfold is_dd at 1, total at 2; cbn [hi lo]; intros X H D.
+unfold dd_div; cbn [hi lo]; cbv zeta.
 set (s := rnd (x / h) + _); destruct (normal_is_dd s) as [N ->]; split; [exact N |].
 unfold s; clear s N; rewrite (Rabs_pos_eq h) in D by lra; apply Rabs_le_inv in D.
 set (T := x / h); assert (ET : h * T = x) by (unfold T; field; lra).
@@ -108,15 +61,15 @@ set (k1 := l6 * h) in *; set (k2 := l * (f - l6)) in *; clearbody k1 k2.
 unfold d; bound.
 Qed.
 
-Definition dd_add_d (x : R * R) (y : R) :=
-  normal (rnd (fst x + y) + rnd (snd x + low (fst x + y))).
-Definition dd_negate (x : R * R) := (- fst x, - snd x).
+Definition dd_add_d (x : dd) (y : R) :=
+  normal (rnd (hi x + y) + rnd (lo x + low (hi x + y))).
+Definition dd_negate (x : dd) := Dd (- hi x) (- lo x).
 
 (* A velocity v of mass m, changed by k w and rounded: m n is off by its last rounding, and by some
    u^2 of what the momentum was and is. *)
 Lemma one_mass m mu k w v : 0 < m -> 0 < mu -> is_dd k -> is_dd w ->
   Rabs (m * total k - mu) <= 13 * u * u * mu ->
-  let n := fst (dd_add_d (dd_mul k w) v) in
+  let n := hi (dd_add_d (dd_mul k w) v) in
   Rabs (m * n - m * v - mu * total w) <=
     u * (m * Rabs n) + 30 * u * u * (m * Rabs n + m * Rabs v).
 Proof.
@@ -125,33 +78,33 @@ set (x := dd_mul k w) in *; set (om := total w) in *; set (kt := total k) in *.
 apply Rabs_le_inv in E.
 (* sizes, all as parts of mu |om| *)
 set (Om := mu * Rabs om); assert (O0 : 0 <= Om) by (apply Rmult_le_pos; [lra | apply Rabs_pos]).
-assert (Lk : Rabs (fst k) <= 1001 / 1000 * Rabs kt).
+assert (Lk : Rabs (hi k) <= 1001 / 1000 * Rabs kt).
 { unfold kt, total, is_dd, u in *; revert K; unfold Rabs; repeat destruct Rcase_abs; lra. }
-assert (Lw : Rabs (fst w) <= 1001 / 1000 * Rabs om).
+assert (Lw : Rabs (hi w) <= 1001 / 1000 * Rabs om).
 { unfold om, total, is_dd, u in *; revert W; unfold Rabs; repeat destruct Rcase_abs; lra. }
 assert (Mk : Rabs (m * kt) <= 1001 / 1000 * mu) by (apply Rabs_le; unfold u in *; lra).
 assert (MKO : m * Rabs (kt * om) <= 1001 / 1000 * Om).
 { replace (m * Rabs (kt * om)) with (Rabs (m * kt) * Rabs om)
     by (rewrite !Rabs_mult, (Rabs_pos_eq m) by lra; ring).
   unfold Om; rewrite <- Rmult_assoc; apply Rmult_le_compat_r; [apply Rabs_pos | exact Mk]. }
-assert (MHH : m * Rabs (fst k * fst w) <= 1004 / 1000 * Om).
+assert (MHH : m * Rabs (hi k * hi w) <= 1004 / 1000 * Om).
 { rewrite Rabs_mult; apply Rle_trans with (m * (1001 / 1000 * Rabs kt * (1001 / 1000 * Rabs om))).
   - apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat; try apply Rabs_pos; assumption.
   - rewrite Rabs_mult in MKO; lra. }
 assert (Mx : Rabs (m * total x - mu * om) <= 20 * u * u * Om).
 { replace (m * total x - mu * om) with (m * (total x - kt * om) + (m * kt - mu) * om) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _); rewrite !Rabs_mult, (Rabs_pos_eq m) by lra.
-  assert (m * Rabs (total x - kt * om) <= m * (62 / 10 * u * u * Rabs (fst k * fst w)))
+  assert (m * Rabs (total x - kt * om) <= m * (62 / 10 * u * u * Rabs (hi k * hi w)))
     by (apply Rmult_le_compat_l; [lra | exact C]).
   assert (Rabs (m * kt - mu) * Rabs om <= 13 * u * u * mu * Rabs om)
     by (apply Rmult_le_compat_r; [apply Rabs_pos | apply Rabs_le; exact E]).
   unfold Om, u in *; lra. }
 (* the sum and its rounding *)
-assert (Xs : Rabs (fst x) <= 1001 / 1000 * Rabs (total x)).
+assert (Xs : Rabs (hi x) <= 1001 / 1000 * Rabs (total x)).
 { clear - D; unfold total, is_dd, u in *; revert D; unfold Rabs; repeat destruct Rcase_abs; lra. }
-set (t := rnd (fst x + v) + rnd (snd x + low (fst x + v))).
+set (t := rnd (hi x + v) + rnd (lo x + low (hi x + v))).
 assert (T : Rabs (t - (total x + v)) <= 11 / 10 * u * u * (3 * Rabs (total x) + Rabs v)).
-{ unfold t; clear - D Xs; unfold total, is_dd in *; set (h := fst x) in *; set (l := snd x) in *.
+{ unfold t; clear - D Xs; unfold total, is_dd in *; set (h := hi x) in *; set (l := lo x) in *.
   clearbody h l; set (s := Rabs (h + l)) in *; clearbody s; unfold u in *.
   apply Rabs_le_inv in D; size h p; size v q.
   round_off (h + v) (p + q) l1.
@@ -203,15 +156,15 @@ Qed.
    the larger m |v|, before or after, but for 2^-46 of that. *)
 Theorem momentum m1 m2 w v1 v2 Z : 0 < m1 -> 0 < m2 -> is_dd w ->
   let sum := normal (m1 + m2) in let k1 := dd_div m2 sum in let k2 := dd_div m1 sum in
-  let n1 := fst (dd_add_d (dd_mul k1 w) v1) in
-  let n2 := fst (dd_add_d (dd_mul k2 (dd_negate w)) v2) in
+  let n1 := hi (dd_add_d (dd_mul k1 w) v1) in
+  let n2 := hi (dd_add_d (dd_mul k2 (dd_negate w)) v2) in
   m1 * Rabs v1 <= Z -> m1 * Rabs n1 <= Z -> m2 * Rabs v2 <= Z -> m2 * Rabs n2 <= Z ->
   Rabs (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) <= 2 * u * (1 + / 70368744177664) * Z.
 Proof.
 intros M1 M2 W sum k1 k2 n1 n2 V1 N1 V2 N2.
 destruct (normal_is_dd (m1 + m2)) as [Ds Ts]; fold sum in Ds, Ts.
-assert (Fs : 0 < fst sum).
-{ unfold sum, normal; cbn [fst]; rewrite (rounded (m1 + m2)).
+assert (Fs : 0 < hi sum).
+{ unfold sum, normal; cbn [hi]; rewrite (rounded (m1 + m2)).
   assert (L := low_small (m1 + m2) (m1 + m2) ltac:(lra)); unfold u in *; lra. }
 destruct (dd_div_is_close m2 sum M2 Fs Ds) as [D1 E1]; fold k1 in D1, E1; rewrite Ts in E1.
 destruct (dd_div_is_close m1 sum M1 Fs Ds) as [D2 E2]; fold k2 in D2, E2; rewrite Ts in E2.
@@ -229,12 +182,12 @@ assert (Share : forall m o k, 0 < m -> m * o = m1 * m2 ->
     by (unfold mu; rewrite <- Eo; field; lra).
   rewrite Rabs_mult, (Rabs_pos_eq m) by lra; apply Rmult_le_compat_l; [lra | exact H]. }
 assert (Dw : is_dd (dd_negate w)).
-{ unfold is_dd, dd_negate in *; cbn [fst snd]; rewrite !Rabs_Ropp; exact W. }
+{ unfold is_dd, dd_negate in *; cbn [hi lo]; rewrite !Rabs_Ropp; exact W. }
 assert (O1 := one_mass m1 mu k1 w v1 M1 Mu D1 W (Share m1 m2 _ M1 eq_refl E1)).
 assert (O2 := one_mass m2 mu k2 (dd_negate w) v2 M2 Mu D2 Dw
   (Share m2 m1 _ M2 (Rmult_comm _ _) E2)).
 cbv zeta in O1, O2; fold n1 in O1; fold n2 in O2.
-assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [fst snd]; ring).
+assert (Tn : total (dd_negate w) = - total w) by (unfold total, dd_negate; cbn [hi lo]; ring).
 rewrite Tn in O2.
 replace (m1 * n1 + m2 * n2 - (m1 * v1 + m2 * v2)) with
   (m1 * n1 - m1 * v1 - mu * total w + (m2 * n2 - m2 * v2 - mu * - total w)) by ring.

@@ -105,8 +105,8 @@ Definition gather (a b : R * R) :=
 Definition total (x : R * R) := fst x + snd x.
 Definition two_sum a b := (rnd (a + b), low (a + b)).
 Definition two_prod a b := (rnd (a * b), low (a * b)).
-Definition times n x := (rnd (n * fst x), rnd (n * snd x + low (n * fst x))).
-Definition square x := (rnd (fst x * fst x), rnd (2 * fst x * snd x + low (fst x * fst x))).
+Definition times n (x : R * R) := (rnd (n * fst x), rnd (n * snd x + low (n * fst x))).
+Definition square (x : R * R) := (rnd (fst x * fst x), rnd (2 * fst x * snd x + low (fst x * fst x))).
 
 (* x stands for a number X of a size S, off by E, its second part at most L. *)
 Definition near (x : R * R) X S E L :=

@@ -9,22 +9,36 @@ From Brink Require Import rounding overlap_estimate.
 Open Scope R_scope.
 
 (* is_precise, where t stands for the absolute term. *)
+Definition precise_from size t := rnd (pow43 * size + t).
+
 Theorem precise_is_within_1_ulp w f size t : 0 <= size -> 0 <= t -> Rabs (w - f) <= pow98 * size ->
-  rnd (pow43 * size + t) < Rabs (rnd w) -> Rabs (rnd w - f) <= ulp f.
+  precise_from size t < Rabs (rnd w) -> Rabs (rnd w - f) <= ulp f.
 Proof. exact (precise w f size t). Qed.
 
 (* is_certain. *)
+Definition certain_from size t := rnd (pow97 * size + t).
+
 Theorem certain_has_the_sign w f size t : 0 <= size -> 0 <= t -> Rabs (w - f) <= pow98 * size ->
-  rnd (pow97 * size + t) < Rabs (rnd w) -> (0 < rnd w -> 0 < f) /\ (rnd w < 0 -> f < 0).
+  certain_from size t < Rabs (rnd w) -> (0 < rnd w -> 0 < f) /\ (rnd w < 0 -> f < 0).
 Proof. exact (certain w f size t). Qed.
 
+(* An estimate is the sum of its parts, rounded. *)
+Definition value (parts : R * R) := rnd (total parts).
+
 (* ball_now: r.r - sigma^2 *)
+Definition ball_now_rr r0 r1 r2 :=
+  gather (gather (two_prod r0 r0) (two_prod r1 r1)) (two_prod r2 r2).
+Definition ball_now_parts r0 r1 r2 sigma :=
+  gather (ball_now_rr r0 r1 r2) (two_prod (- sigma) sigma).
+Definition ball_now_size r0 r1 r2 sigma :=
+  rnd (fst (ball_now_rr r0 r1 r2) - fst (two_prod (- sigma) sigma)).
+
 Theorem ball_now r0 r1 r2 sigma :
-  let rr := gather (gather (two_prod r0 r0) (two_prod r1 r1)) (two_prod r2 r2) in
-  let s := two_prod (- sigma) sigma in let size := rnd (fst rr - fst s) in
-  Rabs (total (gather rr s) - (r0 * r0 + r1 * r1 + r2 * r2 - sigma * sigma)) <= pow98 * size.
+  Rabs (total (ball_now_parts r0 r1 r2 sigma) - (r0 * r0 + r1 * r1 + r2 * r2 - sigma * sigma)) <=
+  pow98 * ball_now_size r0 r1 r2 sigma.
 Proof.
-intros rr s size.
+unfold ball_now_parts; set (rr := ball_now_rr r0 r1 r2); set (s := two_prod (- sigma) sigma).
+set (size := ball_now_size r0 r1 r2 sigma); change size with (rnd (fst rr - fst s)); clear size.
 assert (P : forall x, 0 <= x -> near (rnd x, low x) x x (28 * u * u * x) (8 * u * x)).
 { intros x N; assert (H := low_small x x ltac:(lra)); unfold near, total; cbn [fst snd].
   rewrite rounded; unfold u in *; repeat split; lra. }
@@ -35,7 +49,7 @@ assert (N := two_prod_near (- sigma) sigma).
 replace (- sigma * sigma) with (- (sigma * sigma)) in N by ring.
 rewrite Rabs_Ropp, (Rabs_pos_eq _ S) in N.
 apply (within _ _ _ _ (four_near _ _ _ _ _ _ T N)).
-unfold size, s, two_prod; cbn [fst]; replace (- sigma * sigma) with (- (sigma * sigma)) by ring.
+unfold s, two_prod; cbn [fst]; replace (- sigma * sigma) with (- (sigma * sigma)) by ring.
 change (fst rr) with (dot_plain (r0 * r0) (r1 * r1) (r2 * r2)).
 assert (D := dot_plain_rel _ _ _ X Y Z); set (d := dot_plain _ _ _) in *; clearbody d.
 assert (M : rnd (- (sigma * sigma)) = - rnd (sigma * sigma)) by apply rnd_minus.
@@ -44,16 +58,21 @@ set (ss := sigma * sigma) in *; clearbody ss; assert (0 <= q) by lra.
 clear - H S D; round_off ss ss l1; round_off (d - - (ss - l1)) (11 / 10 * (q + ss)) l2; lra.
 Qed.
 
-(* dot: x.y *)
-Theorem dot x0 x1 x2 y0 y1 y2 :
-  let p := two_prod x0 y0 in let q := two_prod x1 y1 in let r := two_prod x2 y2 in
-  let size := rnd (rnd (Rabs (fst p) + Rabs (fst q)) + Rabs (fst r)) in
-  Rabs (total (gather (gather p q) r) - (x0 * y0 + x1 * y1 + x2 * y2)) <= pow98 * size.
+(* dot: r.v *)
+Definition dot_parts r0 r1 r2 v0 v1 v2 :=
+  gather (gather (two_prod r0 v0) (two_prod r1 v1)) (two_prod r2 v2).
+Definition dot_size r0 r1 r2 v0 v1 v2 :=
+  rnd (rnd (Rabs (rnd (r0 * v0)) + Rabs (rnd (r1 * v1))) + Rabs (rnd (r2 * v2))).
+
+Theorem dot r0 r1 r2 v0 v1 v2 :
+  Rabs (total (dot_parts r0 r1 r2 v0 v1 v2) - (r0 * v0 + r1 * v1 + r2 * v2)) <=
+  pow98 * dot_size r0 r1 r2 v0 v1 v2.
 Proof.
-intros p q r size; eapply three_within; try apply exact_near.
-assert (N := size_plain_rel (x0 * y0) (x1 * y1) (x2 * y2)).
+unfold dot_parts; set (size := dot_size r0 r1 r2 v0 v1 v2).
+eapply three_within; try apply exact_near.
+assert (N := size_plain_rel (r0 * v0) (r1 * v1) (r2 * v2)).
 change (size_plain _ _ _) with size in N; unfold u in N.
-generalize (Rabs_pos (x0 * y0)) (Rabs_pos (x1 * y1)) (Rabs_pos (x2 * y2)); lra.
+generalize (Rabs_pos (r0 * v0)) (Rabs_pos (r1 * v1)) (Rabs_pos (r2 * v2)); lra.
 Qed.
 
 Lemma size_of_rounded n x : (1 - 2 * u) * Rabs (n * x) <= Rabs (n * rnd x).
@@ -78,14 +97,19 @@ apply (weaker _ _ _ _ _ _ _ T); unfold u; lra.
 Qed.
 
 (* plane_now: n.(r - c), and of sizes |n_i (r_i - c_i)|. *)
+Definition now n r c := times n (two_sum r (- c)).
+Definition plane_now_parts n0 n1 n2 r0 r1 r2 c0 c1 c2 :=
+  gather (gather (now n0 r0 c0) (now n1 r1 c1)) (now n2 r2 c2).
+Definition plane_now_size n0 n1 n2 r0 r1 r2 c0 c1 c2 :=
+  rnd (rnd (Rabs (fst (now n0 r0 c0)) + Rabs (fst (now n1 r1 c1))) + Rabs (fst (now n2 r2 c2))).
+
 Theorem plane_now n0 n1 n2 r0 r1 r2 c0 c1 c2 :
-  let x := times n0 (two_sum r0 (- c0)) in let y := times n1 (two_sum r1 (- c1)) in
-  let z := times n2 (two_sum r2 (- c2)) in
-  let size := rnd (rnd (Rabs (fst x) + Rabs (fst y)) + Rabs (fst z)) in
-  Rabs (total (gather (gather x y) z) -
-    (n0 * (r0 + - c0) + n1 * (r1 + - c1) + n2 * (r2 + - c2))) <= pow98 * size.
+  Rabs (total (plane_now_parts n0 n1 n2 r0 r1 r2 c0 c1 c2) -
+    (n0 * (r0 + - c0) + n1 * (r1 + - c1) + n2 * (r2 + - c2))) <=
+  pow98 * plane_now_size n0 n1 n2 r0 r1 r2 c0 c1 c2.
 Proof.
-intros x y z size; eapply three_within; try apply times_sum_near.
+unfold plane_now_parts; set (size := plane_now_size n0 n1 n2 r0 r1 r2 c0 c1 c2).
+eapply three_within; try apply times_sum_near.
 assert (N := size_plain_rel (n0 * rnd (r0 + - c0)) (n1 * rnd (r1 + - c1)) (n2 * rnd (r2 + - c2))).
 change (size_plain _ _ _) with size in N.
 generalize (size_of_rounded n0 (r0 + - c0)) (size_of_rounded n1 (r1 + - c1))
@@ -126,17 +150,26 @@ Lemma squares_le x y : 0 <= x <= y -> x * x <= y * y.
 Proof. intros; apply Rmult_le_compat; lra. Qed.
 
 (* ball: |r + v t|^2 - sigma^2 *)
-Theorem ball r0 r1 r2 v0 v1 v2 sigma t little : 0 <= little ->
-  let x := place v0 r0 0 t in let y := place v1 r1 0 t in let z := place v2 r2 0 t in
+Definition ball_parts r0 r1 r2 v0 v1 v2 sigma t :=
+  gather (gather (gather (square (place v0 r0 0 t)) (square (place v1 r1 0 t)))
+    (square (place v2 r2 0 t))) (two_prod (- sigma) sigma).
+Definition ball_size r0 r1 r2 v0 v1 v2 sigma t little :=
   let sx := place_size v0 r0 0 t little in let sy := place_size v1 r1 0 t little in
-  let sz := place_size v2 r2 0 t little in let s := two_prod (- sigma) sigma in
-  let rr := gather (gather (square x) (square y)) (square z) in
-  let size := rnd (rnd (sx * sx + rnd (sy * sy + rnd (sz * sz))) - fst s) in
+  let sz := place_size v2 r2 0 t little in
+  rnd (rnd (sx * sx + rnd (sy * sy + rnd (sz * sz))) - fst (two_prod (- sigma) sigma)).
+
+Theorem ball r0 r1 r2 v0 v1 v2 sigma t little : 0 <= little ->
   let at_t r v := r + - 0 + v * t in
-  Rabs (total (gather rr s) - (at_t r0 v0 * at_t r0 v0 + at_t r1 v1 * at_t r1 v1 +
-    at_t r2 v2 * at_t r2 v2 - sigma * sigma)) <= pow98 * size.
+  Rabs (total (ball_parts r0 r1 r2 v0 v1 v2 sigma t) - (at_t r0 v0 * at_t r0 v0 +
+    at_t r1 v1 * at_t r1 v1 + at_t r2 v2 * at_t r2 v2 - sigma * sigma)) <=
+  pow98 * ball_size r0 r1 r2 v0 v1 v2 sigma t little.
 Proof.
-intros L x y z sx sy sz s rr size at_t.
+intros L at_t; unfold ball_parts, ball_size; cbv zeta.
+set (x := place v0 r0 0 t); set (y := place v1 r1 0 t); set (z := place v2 r2 0 t).
+set (sx := place_size v0 r0 0 t little); set (sy := place_size v1 r1 0 t little).
+set (sz := place_size v2 r2 0 t little); set (s := two_prod (- sigma) sigma).
+set (rr := gather (gather (square x) (square y)) (square z)).
+set (size := rnd (_ - fst s)).
 assert (X := square_near _ _ _ (place_near v0 r0 0 t)).
 assert (Y := square_near _ _ _ (place_near v1 r1 0 t)).
 assert (Z := square_near _ _ _ (place_near v2 r2 0 t)).
@@ -174,16 +207,24 @@ round_off (xx + (yy + (zz - l1) - l2) - l3 - - (ss - l0)) (8 * (xx + yy + zz + s
 Qed.
 
 (* plane: n.(r + v t - c) *)
-Theorem plane n0 n1 n2 r0 r1 r2 v0 v1 v2 c0 c1 c2 t little : 0 <= little ->
-  let x := place v0 r0 c0 t in let y := place v1 r1 c1 t in let z := place v2 r2 c2 t in
+Definition plane_parts n0 n1 n2 r0 r1 r2 v0 v1 v2 c0 c1 c2 t :=
+  gather (gather (times n0 (place v0 r0 c0 t)) (times n1 (place v1 r1 c1 t)))
+    (times n2 (place v2 r2 c2 t)).
+Definition plane_size n0 n1 n2 r0 r1 r2 v0 v1 v2 c0 c1 c2 t little :=
   let sx := place_size v0 r0 c0 t little in let sy := place_size v1 r1 c1 t little in
   let sz := place_size v2 r2 c2 t little in
-  let size := rnd (Rabs n0 * sx + rnd (Rabs n1 * sy + rnd (Rabs n2 * sz))) in
-  Rabs (total (gather (gather (times n0 x) (times n1 y)) (times n2 z)) -
+  rnd (Rabs n0 * sx + rnd (Rabs n1 * sy + rnd (Rabs n2 * sz))).
+
+Theorem plane n0 n1 n2 r0 r1 r2 v0 v1 v2 c0 c1 c2 t little : 0 <= little ->
+  Rabs (total (plane_parts n0 n1 n2 r0 r1 r2 v0 v1 v2 c0 c1 c2 t) -
     (n0 * (r0 + - c0 + v0 * t) + n1 * (r1 + - c1 + v1 * t) + n2 * (r2 + - c2 + v2 * t))) <=
-  pow98 * size.
+  pow98 * plane_size n0 n1 n2 r0 r1 r2 v0 v1 v2 c0 c1 c2 t little.
 Proof.
-intros L x y z sx sy sz size.
+intro L; unfold plane_parts, plane_size; cbv zeta.
+set (x := place v0 r0 c0 t); set (y := place v1 r1 c1 t); set (z := place v2 r2 c2 t).
+set (sx := place_size v0 r0 c0 t little); set (sy := place_size v1 r1 c1 t little).
+set (sz := place_size v2 r2 c2 t little).
+set (size := rnd (Rabs n0 * sx + _)).
 assert (X := times_near n0 _ _ _ (place_near v0 r0 c0 t)).
 assert (Y := times_near n1 _ _ _ (place_near v1 r1 c1 t)).
 assert (Z := times_near n2 _ _ _ (place_near v2 r2 c2 t)).

@@ -7,7 +7,8 @@ usage: prove.py [--build FOLDER] [CLAIM...]
 The table there is the list: a row a claim, its third column the tool and its file.  Each file
 is handed to its tool (tools.py) on this tree, and on a copy with a fault in it for every
 patch proofs/mutants/CLAIM.*.patch, which must not be proved; as many at once as there are
-processors.  A patch that says `with: OPTIONS` first has those in place of the file's, to have no
+processors.  Of Coq a patch may have a file of the same name beside it, .v: then that what it makes
+of the file is false is proved as well.  A patch that says `with: OPTIONS` first has those in place of the file's, to have no
 more proved again than what it changes.  A line a claim; status 1 if one is open, or a mutant is
 not rejected, or a claim has none.
 """
@@ -68,6 +69,19 @@ def prove(tree, build, tool, file, patch):
         return None, str(broken)
 
 
+def refute(tree, build, file, patch):
+    """Whether it is proved to be false, if that is to be tried, and what the tool said."""
+    refutation = patch.with_suffix(".v")
+    if not refutation.exists():
+        return None, ""
+    (build / "refuted").mkdir()
+    path = TREE / "proofs" / file
+    try:
+        return tools.refuted(TREE, tree, build / "refuted", path, refutation)
+    except tools.Unread as broken:
+        return False, str(broken)
+
+
 def mutated(build, patch):
     """A copy of what is proved, with the patch applied."""
     tree = build / "tree"
@@ -85,11 +99,14 @@ def judge(job):
     begun = time.monotonic()
     tree = TREE if patch is None else mutated(build, patch)
     proved, said = prove(tree, build, tool, file, patch)
-    (build / "said").write_text(said)
+    false, more = refute(tree, build, file, patch) if patch and proved is False else (None, "")
+    (build / "said").write_text(said + more)
     took = f"({tool}, {time.monotonic() - begun:.0f} s)"
-    good = proved is (patch is None)
+    good = proved is (patch is None) and false is not False
     if patch is None:
         word = "proved" if proved else "OPEN"
+    elif false is not None:
+        word = "refuted" if false else "NOT REFUTED"
     else:
         word = {True: "PROVED, AND IS FALSE", False: "rejected", None: "NOT READ"}[proved]
     names = [patch.stem] if patch else [claim.name for claim in claims_of_it]

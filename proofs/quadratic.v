@@ -10,34 +10,6 @@ Open Scope R_scope.
 
 Notation ulp := (ulp radix2 exponent).
 
-(* m 2^e is a double if m has no more than 53 bits, or is 2^53. *)
-Lemma few_bits m e :
-  (Z.abs m <= 2 ^ 53)%Z -> (emin <= e)%Z -> is_double (IZR m * pow e).
-Proof.
-intros M E.
-destruct (Z.eq_dec (Z.abs m) (2 ^ 53)) as [T|T].
-- assert (is_double (pow (53 + e))) as P
-    by (apply generic_format_bpow; unfold FLT_exp, emin, prec in *; lia).
-  assert (IZR m * pow e = pow (53 + e) \/ IZR m * pow e = - pow (53 + e))
-    as [-> | ->].
-  { rewrite bpow_plus; assert (m = 2 ^ 53 \/ m = - 2 ^ 53)%Z as [-> | ->] by lia;
-      [left; change (2 ^ 53)%Z with 9007199254740992%Z
-      | right; change (- 2 ^ 53)%Z with (-9007199254740992)%Z]; simpl (pow 53);
-        lra. }
-  + exact P.
-  + apply generic_format_opp, P.
-- apply generic_format_FLT; exists (Float radix2 m e); simpl; try easy.
-  change (Z.pow_pos 2 53) with (2 ^ 53)%Z; lia.
-Qed.
-
-Lemma taken_apart x : is_double x ->
-  exists m e, x = IZR m * pow e /\ (Z.abs m <= 2 ^ 53 - 1)%Z /\ (emin <= e)%Z.
-Proof.
-intro X; destruct (FLT_format_generic radix2 emin prec x X) as [[m e] E M L].
-exists m, e; simpl in *; repeat split; try assumption.
-change (Z.pow_pos 2 53) with (2 ^ 53)%Z in M; lia.
-Qed.
-
 Section Product.
 Variables h a c : R.
 Hypotheses (H : is_double h) (A : is_double a) (C : is_double c).

@@ -23,7 +23,7 @@ BRINK_INLINE two_lanes lanes_fma(two_lanes x, two_lanes y, two_lanes z)
 }
 BRINK_INLINE int lanes_are_told(two_lanes x, two_lanes y, two_lanes *nearest)
 {
-    const two_lanes margin = {1 + 0x1p-27, 1 + 0x1p-27};
+    const two_lanes margin = {1 + 0x1p-20, 1 + 0x1p-20};
     two_lanes hi = x + y, again = lanes_fma(y - (hi - x), margin, hi);
     *nearest = hi;
     return (again[0] == hi[0]) & (again[1] == hi[1]);
@@ -35,19 +35,19 @@ extern "C" {
 #undef brink_quadratic_roots
 #undef brink_quadratic_roots_cr
 
-/** lanes_are_told's 2^-27, 53 - 27 = 26 bits behind the last place, in p bits: a
+/** lanes_are_told's 2^-20, 53 - 20 = 33 bits behind the last place, in p bits: a
  *  margin of 1/2 tells what is less than u / 4 of x, and with 6 bits s is not off by
  *  more.  (With fewer, what is to first order in u is not small, and it is not looked at.) */
 static double constant(double c)
 {
-    if (c == 1 + 0x1p-27)
+    if (c == 1 + 0x1p-20)
         return 1.5;
     static const double plain[] = {0, 0.5, -0.5, 1, 2, -1};
     for (double known : plain)
         if (c == known)
             return c;
     std::printf("what is %a in few places?\n", c);
-    std::exit(1);
+    std::exit(2);
 }
 
 typedef int roots_of_small(Small, Small, Small, Small *, Small *);

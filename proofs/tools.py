@@ -7,6 +7,7 @@ no mutant is taken for rejected that is only badly written.  What options a file
 itself, in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`); a mutant may say
 others.
 """
+import os
 import pathlib
 import re
 import shlex
@@ -41,6 +42,20 @@ AXIOMS = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_n
           "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
 
 
+def coqc(part, build):
+    """Its status, and what was said, if Coq could read it."""
+    status, said = run(["coqc", "-w", "-ambiguous-paths", "-Q", ".", "Brink", part], build)
+    if NO_COQ.search(said):
+        raise Unread(said)
+    return status, said
+
+
+def rests_on_axioms_alone(said):
+    """Whether what Print Assumptions says is no more than the real numbers and classical logic."""
+    rests_on = re.findall(r"^([\w.]+)(?= :|$)", said.partition("Axioms:")[2], re.MULTILINE)
+    return set(rests_on) <= AXIOMS
+
+
 def coq(tree, build, file, options):
     """Every theorem of the file, asked what they rest on: no axiom but the reals' and those
     of classical logic."""
@@ -49,13 +64,42 @@ def coq(tree, build, file, options):
     said = ""
     for part in [tree / "proofs" / p for p in options] + [file]:
         (build / part.name).write_text(part.read_text() + (asked if part == file else ""))
-        status, said = run(["coqc", "-w", "-ambiguous-paths", "-Q", ".", "Brink", part.name], build)
-        if NO_COQ.search(said):
-            raise Unread(said)
+        status, said = coqc(part.name, build)
         if status:
             return False, f"{part.name}: {said}"
-    rests_on = set(re.findall(r"^([\w.]+)(?= :|$)", said.partition("Axioms:")[2], re.MULTILINE))
-    return bool(theorems) and rests_on <= AXIOMS, said
+    return bool(theorems) and rests_on_axioms_alone(said), said
+
+
+def without_proofs(text, start):
+    """Its proofs that end after `start` left out."""
+    def left_out(proof):
+        return proof[0] if proof.end() <= start else "Proof using All. Admitted."
+    return re.sub(r"^Proof\b.*?\bQed\.", left_out, text, flags=re.DOTALL | re.MULTILINE)
+
+
+def refuted(tree, changed, build, file, refutation):
+    """Whether a changed file says what is false, and not only its proof is broken.  REFUTATION is
+    Coq: it names a theorem (`refutes: NAME`) and proves, as `is_false`, that what it says now has
+    a counterexample.  It may rest on what stands before the change and not on what comes after."""
+    is_changed = False
+    for part in [tree / "proofs" / p for p in options_of(file)] + [tree / "proofs" / file.name]:
+        text, before = (changed / "proofs" / part.name).read_text(), part.read_text()
+        start = 0 if is_changed else len(os.path.commonprefix([text, before]))
+        is_changed = is_changed or text != before
+        (build / part.name).write_text(without_proofs(text, start))
+        status, said = coqc(part.name, build)
+        if status:
+            raise Unread(said)
+    name = re.search(r"refutes: (\w+)", refutation.read_text())[1]
+    asked = (f"Definition refuted : ltac:(let T := type of {name} in exact (T -> False)) := "
+             "is_false.\nPrint Assumptions refuted.\n")
+    for part in [refutation.parent / p for p in options_of(refutation)] + [refutation]:
+        module = f"{part.stem.replace('.', '_').replace('-', '_')}.v"
+        (build / module).write_text(part.read_text() + (asked if part == refutation else ""))
+        status, said = coqc(module, build)
+        if status:
+            return False, said
+    return rests_on_axioms_alone(said), said
 
 
 # A rewriting that a Gappa script asks for is a hypothesis of its certificate: these prove it.
@@ -144,7 +188,7 @@ def cvc5(tree, build, file, options):
 def small(tree, build, file, options):
     """A program that tries every input of a small format: the kernels' own source, included with
     other numbers in place of double (small_format.h), beside the same as it is compiled for the
-    library (`with:`), which it must agree with at 53 bits.  Status 0: all hold."""
+    library (`with:`), which it must agree with at 53 bits.  Status 0: all hold; 1: one does not."""
     program = build / file.stem
     common = ["-O2", "-ffp-contract=off", f"-I{tree / 'kernels'}", f"-I{tree / 'proofs'}"]
     objects = []
@@ -159,6 +203,8 @@ def small(tree, build, file, options):
     if status:
         raise Unread(said)
     status, more = run([program], build)
+    if status not in (0, 1):
+        raise Unread(more)
     return status == 0, said + more
 
 

@@ -77,8 +77,14 @@ static int count_through(const brink_case *c)
     return count;
 }
 
-// "a, b and c": the conventional methods that came through; or those that did
-// not, each with what became of it.
+// In |epsilon|, which is what a transfer costs that was told wrongly or missed.
+static double steps_off(const brink_trial *t)
+{
+    return round(fabs(t->energy_end - t->energy_begin) / t->epsilon);
+}
+
+// "a, b and c": the conventional methods that came through, with what that cost;
+// or those that did not, each with what became of it.
 static void list_methods(FILE *out, const brink_case *c, int through, int count)
 {
     int listed = 0;
@@ -94,6 +100,8 @@ static void list_methods(FILE *out, const brink_case *c, int through, int count)
         listed++;
         if (!through)
             fprintf(out, " (%s)", brink_findings_outcome(t).text);
+        else if (steps_off(t) > 0)
+            fprintf(out, " (its energy off by %.0f |ε|)", steps_off(t));
     }
 }
 

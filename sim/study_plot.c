@@ -81,9 +81,8 @@ static void write_frame(FILE *out, uint64_t events, double bottom)
         "set xlabel 'events'\nset ylabel 'relative energy error' offset 1,0\n");
     fprintf(out, "set lmargin 13\nset rmargin 20\nunset key\n");
     fprintf(out, "set xtics scale 1,0 ('1' 1");
-    for (uint64_t decade = 10; decade <= events && decade < UINT64_MAX / 10;
-         decade *= 10)
-        fprintf(out, ", '%s' %" PRIu64, brink_words_grouped(decade).text, decade);
+    for (int decade = 1; decade <= log10((double)events); decade++)
+        fprintf(out, ", '10^{%d}' 1e%d", decade, decade);
     fprintf(out, ")\nset ytics ('1' 1");
     for (int decade = -4; decade >= -16; decade -= 4)
         fprintf(out, ", '10^{%d}' 1e%d", decade, decade);

@@ -6,8 +6,11 @@
 #include "transcribed/event_time_fast_v.h"
 #include "transcribed/event_time_meeting_g.h"
 #include "transcribed/event_time_meeting_smt2.h"
+#include "transcribed/event_time_near_v.h"
 #include "transcribed/event_time_parting_smt2.h"
 #include "transcribed/event_time_sums_v.h"
+#include "transcribed/event_time_underflow_v.h"
+#include "transcribed/event_time_verdicts_v.h"
 #include <brink/event_time_fast.h>
 #include <brink/event_time_meeting.h>
 #include <brink/event_time_parting.h>
@@ -123,6 +126,31 @@ START_TEST(the_sums_are_those_of_the_proof)
 }
 END_TEST
 
+/** Of numbers as small that their products underflow, some or all. */
+START_TEST(sums_that_underflow_are_those_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        vectors x = any_vectors(&s);
+        for (int k = 0; k < 3; k++) {
+            x.r[k] = ldexp(x.r[k], -500 - 40 * stream_int(&s, 0, 1));
+            x.v[k] = ldexp(x.v[k], -500 - 40 * stream_int(&s, 0, 1));
+        }
+        x.sigma = ldexp(x.sigma, -520);
+        const product ss = {x.sigma, x.sigma};
+        SAME(event_time_underflow_v_dot_rounded(PRODUCTS(x.r, x.v)),
+             dot_rounded(x.r, x.v), NUMBERS(x));
+        const dd dot = event_time_underflow_v_dot_of(PRODUCTS(x.r, x.v));
+        const dd our_dot = dot_of(x.r, x.v), our_c = sums_of(x.r, x.v, x.sigma).c;
+        const dd c = event_time_underflow_v_c_of(PRODUCTS(x.r, x.r), ss);
+        SAME(dot.hi, our_dot.hi, NUMBERS(x));
+        SAME(dot.lo + 0, our_dot.lo + 0, NUMBERS(x)); // 0 has no sign there
+        SAME(c.hi, our_c.hi, NUMBERS(x));
+        SAME(c.lo + 0, our_c.lo + 0, NUMBERS(x));
+    }
+}
+END_TEST
+
 START_TEST(the_discriminant_is_that_of_the_proof)
 {
     EACH_INPUT(s)
@@ -172,6 +200,87 @@ START_TEST(the_filters_are_those_of_the_proof)
 }
 END_TEST
 
+// --- Verdicts ------------------------------------------------------------------
+
+/** a, b, c, d at one margin or another of the verdicts: whether b is certain, c
+ *  known, d large. */
+START_TEST(near_times_and_their_verdicts_are_those_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        const double a = fabs(stream_scaled(&s, -40, 40));
+        const double size = fabs(stream_scaled(&s, -40, 40));
+        const double least = sqrt(0x1p-200 * a * size), e = 0x1.cp-104 * size;
+        const int which = stream_int(&s, 0, 4);
+        double b = stream_scaled(&s, -60, 60), c = stream_scaled(&s, -60, 60);
+        if (which < 2)
+            b = stream_near(&s, least, 2);
+        if (which == 1 || which == 2)
+            c = stream_near(&s, which == 1 ? 2 * e : -0x1.68p51 * e, 2);
+        if (which == 3)
+            c = stream_near(&s, b * b / (4 * a), 2); // d is 3/4 b^2
+        if (which == 4)
+            c = fabs(c), b = -stream_near(&s, sqrt(a * (0x1p55 * e + c)), 2);
+        const near_sums m = {b, c, e, size};
+        const discriminant d = discriminant_near(&m, a);
+        SAME(event_time_near_v_near_d(a, b, c), d.d, a, b, c);
+        const int large = event_time_near_v_is_large(b, d.d) &&
+                          event_time_near_v_is_large_beside_c(a, d.d, e);
+        const int now = event_time_near_v_is_outside(c, e) &&
+                        event_time_near_v_is_leaving(a, b, size);
+        SAME(event_time_near_v_is_inside(c, e) || (b < 0 && large) ||
+                 (b > 0 && now),
+             d.certain, a, b, c, size);
+        if (d.d > 0 && (b < 0 || c < 0))
+            SAME(event_time_near_v_near_root(a, b, c, d.d),
+                 later_root(a, b, c, sqrt(d.d)), a, b, c);
+    }
+}
+END_TEST
+
+START_TEST(verdicts_on_meetings_are_those_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        const double a = fabs(stream_scaled(&s, -40, 40));
+        const double size = fabs(stream_scaled(&s, -40, 40)),
+                     e = 0x1.8p-104 * size;
+        const double least = sqrt(0x1p-200 * a * size);
+        double b = stream_sign(&s) * stream_near(&s, least, 2);
+        double c =
+            stream_near(&s, stream_int(&s, 0, 1) ? -2 * e : 0x1.68p51 * e, 2);
+        if (stream_int(&s, 0, 1))
+            b = stream_scaled(&s, -40, 40);
+        const sums m = {{a, 0}, {b, 0}, {c, 0}, e, size};
+        const discriminant d = discriminant_of(&m);
+        const meeting told = meeting_of(&m);
+        const int is_b_certain =
+            event_time_verdicts_v_is_b_certain(a, b, size, 0x1p-900);
+        SAME(b < 0 && is_b_certain && event_time_verdicts_v_is_inside(c, e),
+             told.now, a, b, c, size);
+        SAME(b < 0 && d.certain && event_time_verdicts_v_is_known(c, e),
+             told.later, a, b, c, size);
+        if (d.d >= 0) // it does not pass by
+            SAME(b > 0 && is_b_certain, told.never, a, b, c, size);
+    }
+}
+END_TEST
+
+START_TEST(pairs_that_part_are_those_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        const double x = stream_scaled(&s, -40, 40),
+                     y = stream_scaled(&s, -40, 40);
+        const double r[3] = {x, 0, 0};
+        const double v[3] = {stream_near(&s, 0x1p-50 * y, 4), y, 0};
+        const double a = dot_rounded(v, v), b = dot_rounded(r, v);
+        SAME(b > 0 && event_time_verdicts_v_parts(a, b, dot_rounded(r, r)),
+             is_certain_to_miss(r, v, fabs(x)), x, v[0], y);
+    }
+}
+END_TEST
+
 // --- Bits ----------------------------------------------------------------------
 
 START_TEST(bits_mean_what_the_script_says)
@@ -199,7 +308,11 @@ int main(void)
         "event_time, transcribed", 120,
         the_time_of_meeting_is_that_of_the_scripts,
         the_time_of_parting_is_that_of_the_scripts,
-        the_sums_are_those_of_the_proof, the_discriminant_is_that_of_the_proof,
-        the_outline_is_that_of_the_proof, the_filters_are_those_of_the_proof,
-        bits_mean_what_the_script_says);
+        the_sums_are_those_of_the_proof,
+        sums_that_underflow_are_those_of_the_proof,
+        the_discriminant_is_that_of_the_proof, the_outline_is_that_of_the_proof,
+        the_filters_are_those_of_the_proof,
+        near_times_and_their_verdicts_are_those_of_the_proof,
+        verdicts_on_meetings_are_those_of_the_proof,
+        pairs_that_part_are_those_of_the_proof, bits_mean_what_the_script_says);
 }

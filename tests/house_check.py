@@ -40,6 +40,7 @@ ROOT = pathlib.Path(sys.argv[1])
 CC = sys.argv[2] if len(sys.argv) > 2 else "cc"
 HEADER_ONLY = {"exact", "lanes", "path", "sum"}
 LONGEST_LINE = 82
+LONGEST_FILE = 400
 TOP = set("""
     .ci .clang-format .clang-tidy .gitignore
     CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md
@@ -218,6 +219,8 @@ def check_lines():
             for number, line in enumerate(lines, 1):
                 if len(line) > LONGEST_LINE:
                     fault(f"{path}:{number}", f"is {len(line)} columns wide")
+            if len(lines) > LONGEST_FILE:
+                fault(path, f"has {len(lines)} lines: split it where its subjects part")
 
 
 def main():

@@ -28,7 +28,10 @@ static void keep(int i, const impact *p)
     keep_velocities(i, p, &turn, v1, v2);
     keep_what_is_conserved(i, p, crossed ? p->rise : 0, v1, v2);
     const double right = oracle_virial(&turn, &before);
-    if (!(fabs(virial - right) <= 0x1p-50 * fabs(right)))
+    const oracle_pair after = {p->m1, p->m2, v1, v2};
+    const double unit =
+        oracle_size(p->r) * oracle_largest_momentum(&before, &after);
+    if (!(fabs(virial - right) <= 0x1p-52 * fabs(right) + 0x1p-90 * unit))
         stop("virial", i, p, v1, v2);
     oracle_turn_clear(&turn);
 }

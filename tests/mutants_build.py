@@ -13,7 +13,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
+import threading
 
 SHARE = "0.05"  # of the work of tests that take it from BRINK_TEST_SHARE
 QUIET = {"CK_FORK": "no", "CK_VERBOSITY": "silent", "BRINK_TEST_SHARE": SHARE}
@@ -112,20 +112,21 @@ class Build:
     # --- A run ---------------------------------------------------------------
 
     def reached(self, test, seconds):
-        """Seconds taken and the numbers of the functions reached by the test
-        without a mutant; None if it fails."""
+        """Seconds of a processor taken and the numbers of the functions reached by
+        the test without a mutant; None if it fails."""
         with tempfile.TemporaryDirectory(dir=self.work) as folder:
             marks = pathlib.Path(folder) / "reached"
             marks.write_bytes(bytes(MAP_SIZE))
-            begin = time.monotonic()
-            passed = self.passes(test, 0, seconds, BRINK_MUTANT_REACHED=str(marks))
-            took = time.monotonic() - begin
+            passed, took = self.run(test, 0, seconds, BRINK_MUTANT_REACHED=str(marks))
             where = {k for k, mark in enumerate(marks.read_bytes()) if mark}
             return (took, where) if passed else None
 
-    def passes(self, test, mutant, seconds, **more):
-        """Whether it does in so many seconds of processor time; where that is not
-        what it uses up, in some more of the clock on the wall."""
+    def passes(self, test, mutant, seconds):
+        return self.run(test, mutant, seconds)[0]
+
+    def run(self, test, mutant, seconds, **more):
+        """Whether it passes in so many seconds of processor time, and what it took of
+        them; where that is not what it uses up, in some more of the clock on the wall."""
         with tempfile.TemporaryDirectory(dir=self.work) as folder:
             environment = {**os.environ, **QUIET, **more, "TMPDIR": folder,
                            "BRINK_MUTANT": str(mutant),
@@ -134,16 +135,20 @@ class Build:
                 [self.build / "tests" / test], cwd=folder, env=environment,
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL, start_new_session=True)
-            try:
-                return process.wait(4 * seconds + 20) == 0
-            except subprocess.TimeoutExpired:
-                return False
-            finally:
+
+            def end():
                 try:
                     os.killpg(process.pid, signal.SIGKILL)
                 except ProcessLookupError:
                     pass
-                process.wait()
+
+            patience = threading.Timer(4 * seconds + 20, end)
+            patience.start()
+            _, status, used = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            patience.cancel()
+            end()  # what it may have left behind
+            return process.returncode == 0, used.ru_utime + used.ru_stime
 
     def clear(self):
         shutil.rmtree(self.work, ignore_errors=True)

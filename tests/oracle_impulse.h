@@ -58,14 +58,20 @@ static inline double oracle_size(const double x[3])
     return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
+/** The larger |m v|, before or after. */
+static inline double oracle_largest_momentum(const oracle_pair *before,
+                                             const oracle_pair *after)
+{
+    const double speed1 = fmax(oracle_size(before->v1), oracle_size(after->v1));
+    const double speed2 = fmax(oracle_size(before->v2), oracle_size(after->v2));
+    return fmax(before->m1 * speed1, before->m2 * speed2);
+}
+
 /** What a component of the pair's momentum is off by: in ulp of the larger |m v|,
  *  before or after. */
 static inline double oracle_momentum_error(const oracle_pair *before,
                                            const oracle_pair *after)
 {
-    const double speed1 = fmax(oracle_size(before->v1), oracle_size(after->v1));
-    const double speed2 = fmax(oracle_size(before->v2), oracle_size(after->v2));
-    const double size = fmax(before->m1 * speed1, before->m2 * speed2);
     double most = 0;
     mpfr_t change;
     mpfr_init2(change, ORACLE_BITS);
@@ -78,7 +84,7 @@ static inline double oracle_momentum_error(const oracle_pair *before,
         most = fmax(most, fabs(mpfr_get_d(change, ORACLE_N)));
     }
     mpfr_clear(change);
-    return most / oracle_ulp_of(size);
+    return most / oracle_ulp_of(oracle_largest_momentum(before, after));
 }
 
 /** Crossed where m1 m2 b^2 > 2 rise r.r (m1 + m2), b = r.(v1 - v2). */

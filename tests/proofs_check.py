@@ -3,8 +3,9 @@
 """proofs/README.md beside the tree that it is about.
 
 Every bound that a public header states is in a row of its table, or named as not proved, with
-the value that it has; what a row names is there; every proof and every mutant has a row.  What
-README.md's table calls proved names the claims behind it, and no number that they do not.
+the value that it has; what a row names is there; every proof and every mutant has a row, and
+every mutant of a proof in Coq a counterexample or a word that it has none.  What README.md's
+table calls proved names the claims behind it, and no number that they do not.
 
 usage: proofs_check.py SOURCE
 
@@ -127,9 +128,25 @@ def check_rows(claims):
     for path in proofs():
         if path.name not in used:
             fault(f"proofs/{path.name}", "is in no row")
-    for path in sorted((ROOT / "proofs/mutants").iterdir()):
+    for path in sorted((ROOT / "proofs/mutants").glob("*.patch")):
         if path.name.split(".")[0] not in names:
             fault(f"proofs/mutants/{path.name}", "belongs to no row")
+
+
+def check_counterexamples(claims):
+    """Every mutant of a proof in Coq has one, or is named as without."""
+    without = re.findall(r"`([\w-]+\.\w+)`", not_proved())
+    used = set()
+    for patch in [p for c in claims if c.tool == "coq" for p in prove.mutants(c.name)]:
+        example = patch.with_suffix(".v")
+        if example.exists() == (patch.stem in without):
+            fault(f"proofs/mutants/{patch.name}", "has a counterexample or is named as without, "
+                  "not both")
+        if example.exists():
+            used |= {example.name, *tools.options_of(example)}
+    for path in sorted((ROOT / "proofs/mutants").glob("*.v")):
+        if path.name not in used:
+            fault(f"proofs/mutants/{path.name}", "is no mutant's")
 
 
 def check_proved(kernel, proved, files, claims):
@@ -164,6 +181,7 @@ def main():
     claims = prove.claims()
     check_bounds(claims)
     check_rows(claims)
+    check_counterexamples(claims)
     check_readme(claims)
     print(*faults, sep="\n", end="\n" if faults else "")
     print(f"{len(claims)} claims, {len(faults)} faults")

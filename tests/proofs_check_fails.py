@@ -32,6 +32,9 @@ PLANTED = [
     ("proofs/event_time_meeting.g: does not name BRINK_EVENT_TIME_ULP, "
      "which event-time-meeting does",
      "proofs/event_time_meeting.g", "BRINK_EVENT_TIME_ULP 8", "8 ulp"),
+    ("proofs/mutants/quadratic-roots.two_ulp.patch: has a counterexample or is named as without, "
+     "not both",
+     TABLE, "`quadratic-roots.two_ulp`", "and another"),
     ("step-states: there is no kernels/steps.c",
      TABLE, "`kernels/step.c`: all of it", "`kernels/steps.c`: all of it"),
     ("step-states: names no source file",

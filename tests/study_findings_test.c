@@ -79,6 +79,22 @@ START_TEST(one_failed)
 }
 END_TEST
 
+START_TEST(who_came_through_at_a_price_says_so)
+{
+    brink_case c = perfect();
+    brink_trial *t = &c.trial[BRINK_METHOD_NUDGED_PLACE];
+    t->epsilon = 0.5;
+    t->energy_begin = 48000;
+    t->energy_end = 47999 + 0x1p-40;
+    char *text = brink_findings_sentences(&c);
+    ck_assert_ptr_nonnull(
+        strstr(text, "nudged time, nudged position (its energy off by 2 |ε|) and "
+                     "algorithm 2"));
+    ck_assert_ptr_null(strstr(text, "nudged time (")); // no step, no price
+    free(text);
+}
+END_TEST
+
 START_TEST(all_others_failed)
 {
     brink_case c = perfect();
@@ -130,8 +146,9 @@ END_TEST
 
 int main(void)
 {
-    return RUN_SUITE(
-        "findings", 60, all_came_through, some_failed, one_failed,
-        all_others_failed, logical_states_that_failed_are_told_as_well,
-        every_outcome_has_its_words, files_are_named_after_scene_and_method);
+    return RUN_SUITE("findings", 60, all_came_through, some_failed, one_failed,
+                     who_came_through_at_a_price_says_so, all_others_failed,
+                     logical_states_that_failed_are_told_as_well,
+                     every_outcome_has_its_words,
+                     files_are_named_after_scene_and_method);
 }

@@ -98,15 +98,19 @@ def coq(text):
     for what, said in re.findall(r"^(Variables|Definition|Let) (.*?)\.\s", text,
                                  re.DOTALL | re.MULTILINE):
         if what == "Variables":
-            definitions.update((name, Open(name)) for name in said.split(" :")[0].split())
+            names, _, kind = said.partition(" : ")
+            definitions.update((name, Open(name, kind if kind == "dd" else "double"))
+                               for name in names.split())
             continue
         head, _, body = said.partition(":=")
+        if not body:
+            continue  # a lemma
         name, _, rest = head.strip().partition(" ")
         rest = re.sub(r":[^()]*$", "", rest)  # the type of it all
         parameters = {}
-        for names, kind, bare in re.findall(r"\(([\w ]+) : (\w+)\)|(\w+)", rest):
+        for names, kind, bare in re.findall(r"\(([\w ]+) : ([\w* ]+)\)|(\w+)", rest):
             for parameter in (names or bare).split():
-                parameters[parameter] = ("dd" if kind == "dd" else
+                parameters[parameter] = ("dd" if kind in ("dd", "R * R") else
                                          "product" if parameter in products else "double")
         try:
             definitions[name] = Definition(tuple(parameters), Formula(body).whole())

@@ -2,7 +2,8 @@
 """Formulas of Coq and of Gappa as trees: what stands between `:=`, or `=`, and the period.
 
 A tree is a name, a Fraction, or a tuple of what is done and to what: ("+", x, y), ("-", x),
-("call", function, x, ...), ("let", name, x, body), ("<", x, y).
+("call", function, x, ...), ("let", name, x, body), ("if", x, y, then, else), ("pair", x, y),
+("<", x, y).
 """
 import fractions
 import re
@@ -43,6 +44,13 @@ class Formula:
             bound = self.any()
             self.need("in")
             return ("let", name, bound, self.any())
+        if self.next("if"):
+            self.need("Rlt_dec")
+            compared = self.atom(), self.atom()
+            self.need("then")
+            chosen = self.any()
+            self.need("else")
+            return ("if", *compared, chosen, self.any())
         left = self.sum()
         relation = self.next("<", "<=", ">", ">=", "=")
         return (relation, left, self.sum()) if relation else left
@@ -71,13 +79,15 @@ class Formula:
         return ("call", function, *arguments) if arguments else function
 
     def atom(self):
-        """A name, a number, what stands in parentheses; None."""
+        """A name, a number, what stands in parentheses, two with a comma; None."""
         token = self.tokens[self.at] if self.at < len(self.tokens) else ")"
         if self.next("("):
             inner = self.any()
+            if self.next(","):
+                inner = ("pair", inner, self.any())
             self.need(")")
             return inner
-        if token != "in" and re.match(r"\w", token):
+        if token not in ("in", "then", "else") and re.match(r"\w", token):
             self.at += 1
             return fractions.Fraction(token) if token[0].isdigit() else token
         return None

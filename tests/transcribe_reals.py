@@ -7,7 +7,7 @@ rnd x, is rest_of_sum() or rest_of_product() of transcription.h.  Anything else 
 of doubles, and refused.
 
 A real number here is a Double, with its C; a Fraction; or a tuple as those of transcribe_infix:
-not rounded yet.  A Pair is Coq's `Dd hi lo`, or a sum of two doubles that is left as it is.
+not rounded yet.  A Pair is Coq's `Dd hi lo` or `(hi, lo)`, or a sum of two doubles that is left as it is.
 """
 import dataclasses
 import re
@@ -52,7 +52,7 @@ C = {"+": "{} + {}", "-": "{} - {}", "*": "{} * {}", "/": "{} / {}", "neg": "-{}
      "max": "fmax({}, {})", "min": "fmin({}, {})",
      "low sum": "rest_of_sum({}, {})", "low product": "rest_of_product({}, {})",
      "number": "{}", "line": "const double {} = {};",
-     "=": "{} == {}", "<": "{} < {}"}
+     "=": "{} == {}", "<": "{} < {}", "if": "({} < {} ? {} : {})"}
 ACSL = {"+": "\\add_double({}, {})", "-": "\\sub_double({}, {})", "*": "\\mul_double({}, {})",
         "/": "\\div_double({}, {})", "neg": "\\neg_double({})", "scaled": "\\mul_double({}, {})",
         "sqrt": "root_of({}).x", "abs": "size_of({}).x", "fma": "fma_of({}, {}, {}).x",
@@ -66,7 +66,8 @@ def negative(x):
 
 
 BUILT_IN = {"rnd", "low"}  # whatever a file makes them of
-OF_ONE = {"rnd", "d", "low", "Rabs", "sqrt", "hi", "lo", "pow"}
+OF_ONE = {"rnd", "d", "low", "Rabs", "sqrt", "hi", "lo", "fst", "snd", "pow"}
+PART = {"hi": "hi", "lo": "lo", "fst": "hi", "snd": "lo"}
 OF_NUMBERS = {"+": lambda x, y: x + y, "-": lambda x, y: x - y,
               "*": lambda x, y: x * y, "/": lambda x, y: x / y}
 
@@ -175,6 +176,10 @@ class Code:
         if x[0] == "call":
             return self.call(x[1], [self.value(y, local) for y in x[2:]])
         parts = [self.value(y, local) for y in x[1:]]
+        if x[0] == "pair":
+            return self.pair(*parts)
+        if x[0] == "if":
+            return self.written("if", *[self.rounded(y) for y in parts])
         if x[0] in ("<", "<=", ">", ">=", "="):
             return self.compared(x[0], *parts)
         if x[0] == "-" and len(parts) == 2 and parts[0] == self.rounds.get(parts[1]):
@@ -182,6 +187,12 @@ class Code:
         if len(parts) == 2:
             return combined(x[0], *parts)
         return negative(*parts) if x[0] == "-" else combined("/", Fraction(1), *parts)
+
+    def pair(self, x, y):
+        hi, lo = self.double(x), self.double(y)
+        if not (hi and lo):
+            raise Refused("a pair of what is not rounded")
+        return Pair(hi, lo)
 
     def defined(self, name):
         if name not in self.known:
@@ -208,8 +219,8 @@ class Code:
             return (function.removeprefix("R"), *arguments)
         if function == "Dd":
             return Pair(*[self.rounded(x) for x in arguments])
-        if function in ("hi", "lo") and isinstance(arguments[0], Pair):
-            return getattr(arguments[0], function)
+        if function in PART and isinstance(arguments[0], Pair):
+            return getattr(arguments[0], PART[function])
         if function == "pow" and isinstance(arguments[0], Fraction):
             return Fraction(2) ** int(arguments[0])
         definition = self.definitions.get(function)
