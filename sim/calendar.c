@@ -70,61 +70,35 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
     c->filed[slot].place = position;
 }
 
-static uint32_t parent_of(uint32_t position)
+// Moves the hole at `position` to where `slot` belongs, and fills it.
+static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
-    return (position - 1) / 2;
-}
-
-// The earlier child of one that has any.
-static uint32_t earlier_child(const brink_calendar *c, uint32_t position)
-{
-    const uint32_t child = 2 * position + 1;
-    return child + 1 < c->heap_count &&
-                   earlier(c, c->heap[child + 1], c->heap[child])
-               ? child + 1
-               : child;
-}
-
-// Moves the hole at `position` up to where none above it is later than `slot`.
-static uint32_t hole_up(brink_calendar *c, uint32_t position, uint32_t slot)
-{
-    /*@ loop invariant a_hole(c, position, slot, \at(heap_of(c), Pre),
-      @                       \at(position, Pre));
+    /*@ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
       @ loop variant position; */
-    while (position > 0 && earlier(c, slot, c->heap[parent_of(position)])) {
-        const uint32_t parent = parent_of(position);
-        heap_put(c, position, c->heap[parent]);
-        position = parent;
+    while (position > 0 && earlier(c, slot, c->heap[(position - 1) / 2])) {
+        heap_put(c, position, c->heap[(position - 1) / 2]);
+        position = (position - 1) / 2;
     }
-    return position;
-}
-
-// And down to where none below it is earlier.
-static uint32_t hole_down(brink_calendar *c, uint32_t position, uint32_t slot)
-{
-    /*@ loop invariant a_hole(c, position, slot, \at(heap_of(c), Pre),
-      @                       \at(position, Pre));
-      @ loop invariant is_after_above(heap_of(c), position, slot);
+    /*@ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
       @ loop variant c->heap_count - position; */
-    while (2 * position + 1 < c->heap_count) {
-        const uint32_t child = earlier_child(c, position);
+    for (;;) {
+        uint32_t child = 2 * position + 1;
+        if (child >= c->heap_count)
+            break;
+        if (child + 1 < c->heap_count &&
+            earlier(c, c->heap[child + 1], c->heap[child]))
+            child++;
         if (!earlier(c, c->heap[child], slot))
             break;
         heap_put(c, position, c->heap[child]);
         position = child;
     }
-    return position;
-}
-
-// Moves the hole at `position` to where `slot` belongs, and fills it.
-static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
-{
-    position = hole_up(c, position, slot);
-    position = hole_down(c, position, slot);
     heap_put(c, position, slot);
 }
 
@@ -233,7 +207,7 @@ static const char *heap_is_valid(const brink_calendar *c)
     for (uint32_t p = 0; p < c->heap_count; p++) {
         if (c->heap[p] >= c->slots || c->filed[c->heap[p]].place != p)
             return "the heap and the slots disagree about a place";
-        if (p > 0 && earlier(c, c->heap[p], c->heap[parent_of(p)]))
+        if (p > 0 && earlier(c, c->heap[p], c->heap[(p - 1) / 2]))
             return "the heap is out of order";
     }
     return NULL;
