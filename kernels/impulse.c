@@ -151,6 +151,46 @@ static int exact_surplus(const double r[3], double m1, double m2, double rise,
     return z.sign;
 }
 
+/** The speed s along `way` times |r|, and s'^2 = s^2 - loss: what a rise leaves
+ *  of its square. */
+typedef struct crossing {
+    dd s, loss, rest;
+} crossing;
+
+static crossing crossing_of(const pair *p, double rise, enum brink_direction way)
+{
+    crossing c;
+    c.s = dd_mul_d(p->b, (int)way);
+    // A rise of 2^900 is out of reach: it stands for all that are higher.
+    const double scaled_rise = fmin(ldexp(rise, -p->em - 2 * p->ev), 0x1p900);
+    c.loss = dd_div(dd_mul_d(p->rr, 2 * scaled_rise), p->mu);
+    c.rest = dd_add(dd_mul(c.s, c.s), dd_negate(c.loss));
+    return c;
+}
+
+/** Whether the rest has the sign that is meant.  Components of r, v1, v2 are less
+ *  than 4 here, so P = sum |r_i v_i| < 96; b is off by 12u^2 P, s^2 and the sum
+ *  by 34u^2 P^2 < 2^-87, loss by 45u^2 < 2^-98 of itself. */
+static int is_decided(const crossing *c)
+{
+    return fabs(c->rest.hi) > 0x1p-87 + 0x1p-98 * fabs(c->loss.hi);
+}
+
+/** From s to s' with what is owed, along `way`. */
+static dd crossed(pair *p, const crossing *c, enum brink_direction way)
+{
+    const dd zero = {0, 0}, after = c->rest.hi > 0 ? dd_sqrt(c->rest) : zero;
+    dd change;
+    // s' - s = -loss / (s' + s), where nothing cancels; but where all that is
+    // left is lost in roundings, s' is 0 and loss / s may be anything.
+    if (c->s.hi > 0 && c->rest.hi > 0)
+        change = dd_div(dd_negate(c->loss), dd_add(after, c->s));
+    else
+        change = dd_add(after, dd_negate(c->s));
+    change = dd_add_d(change, pair_pay(p, after.hi));
+    return dd_mul_d(change, (int)way);
+}
+
 int brink_step_impulse_balanced(const double r[3], double m1, double m2,
                                 double rise, enum brink_direction way,
                                 double v1[3], double v2[3], double *virial,
@@ -158,35 +198,11 @@ int brink_step_impulse_balanced(const double r[3], double m1, double m2,
 {
     pair p;
     pair_make(&p, r, m1, m2, rise, v1, v2, *owed);
-
-    // s, the speed along `way` times |r|, becomes s' with s'^2 = s^2 - loss.
-    dd s = dd_mul_d(p.b, (int)way), ss = dd_mul(s, s);
-    // A rise of 2^900 is out of reach: it stands for all that are higher.
-    double scaled_rise = fmin(ldexp(rise, -p.em - 2 * p.ev), 0x1p900);
-    dd loss = dd_div(dd_mul_d(p.rr, 2 * scaled_rise), p.mu);
-    dd rest = dd_add(ss, dd_negate(loss));
-
-    // Components of r, v1, v2 are less than 4 here, so P = sum |r_i v_i| < 96; b
-    // is off by 8u^2 P, s^2 by 23u^2 P^2 < 2^-88, loss by 45u^2 < 2^-100 of
-    // itself.
-    int crosses = rest.hi > 0;
-    if (!(fabs(rest.hi) > 0x1p-87 + 0x1p-98 * fabs(loss.hi)))
-        crosses = exact_surplus(r, m1, m2, rise, v1, v2) > 0;
-
-    dd change;
-    if (crosses) {
-        dd after = dd_sqrt(rest.hi > 0 ? rest : (dd){0, 0});
-        // s' - s = -loss / (s' + s), where nothing cancels; but where all that is
-        // left is lost in roundings, s' is 0 and loss / s may be anything.
-        if (s.hi > 0 && rest.hi > 0)
-            change = dd_div(dd_negate(loss), dd_add(after, s));
-        else
-            change = dd_add(after, dd_negate(s));
-        change = dd_add_d(change, pair_pay(&p, after.hi));
-        change = dd_mul_d(change, (int)way);
-    } else {
-        change = reflection(&p, way);
-    }
+    const crossing c = crossing_of(&p, rise, way);
+    const int crosses = is_decided(&c)
+                            ? c.rest.hi > 0
+                            : exact_surplus(r, m1, m2, rise, v1, v2) > 0;
+    const dd change = crosses ? crossed(&p, &c, way) : reflection(&p, way);
     *virial = pair_change(&p, change, v1, v2);
     *owed = energy_owed(&p);
     return crosses;

@@ -14,10 +14,12 @@
 
 /** Bound of the pair energy's error in ulp of the larger kinetic energy, and
  *  of the pair momentum's in ulp of the larger |m v|, before or after; for
- *  masses up to 1e12 apart.  That is the last rounding of either velocity and
- *  no more.  A virial is, where it is normal, within 2^-52 of itself and 2^-90 of
- *  |r| times the larger m |v|, unless a crossing leaves less than 2^-90 of the
- *  energy. */
+ *  masses up to 1e12 apart.  That is the last rounding of either velocity; what
+ *  double-double leaves is less than 2^-45 of it, and comes on top where that
+ *  energy, or |m v|, is as near as that below a power of two: 4 + 2^-52 ulp of
+ *  energy are known there, of momentum no more than 2.  A virial is, where it is
+ *  normal, within 2^-52 of itself and 2^-90 of |r| times the larger m |v|, unless
+ *  a crossing leaves less than 2^-90 of the energy. */
 #define BRINK_IMPULSE_ENERGY_ULP   4
 #define BRINK_IMPULSE_MOMENTUM_ULP 2
 

@@ -1,10 +1,10 @@
-(* with: rounding.v event_time_root.v *)
+(* with: rounding.v event_time_root_rounded.v event_time_root.v *)
 (* SPDX-License-Identifier: MIT *)
 (* event_time_parting.h, near pairs: the later root of discriminant_near and later_root is within
    8u, so within BRINK_EVENT_TIME_ULP 8, and 0 only where it is.  Unbounded exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
-From Brink Require Import rounding event_time_root.
+From Brink Require Import rounding event_time_root_rounded event_time_root.
 Open Scope R_scope.
 
 (* discriminant_near: d, *)
@@ -103,6 +103,7 @@ assert (Dc : - (t * (u * (3850 / 1000 * Rabs (s + b) + 0 * s))) <= C - c <=
     with (3850 / 1000 * u * - c) by (rewrite Ec; ring); lra. }
 apply (within_8u A B C S T a b c s t HA HS HT Ha Hs Ht ES ET es et (3850 / 1000) 0); try lra;
   try assumption.
+now apply rounded_root; try lra.
 Qed.
 
 (* The same where is_known says so, of a sum that is off by e of at least 2^-141 R. *)
@@ -195,7 +196,7 @@ assert (SB : / 2 * s <= S) by (apply square_le; [lra |]; rewrite ES; unfold u in
 assert (ET : A * T = S - B) by (unfold T; field; lra).
 assert (HT : 0 < T) by (apply Rdiv_lt_0_compat; [rewrite Yb in Db; unfold u in *; lra | lra]).
 assert (W := within_8u A B C S T a b c s t HA HS HT Ha Hs Ht ES ET es et (201 / 100) (26 / 100)
-  ltac:(lra) ltac:(lra) Hy Da Db Dc).
+  ltac:(lra) ltac:(lra) Hy Da Db Dc _ (rounded_root a b c s t Ha Hs Ht es et Hy)).
 destruct (Rlt_dec 0 b) as [F | _]; [lra |]; apply W.
 rewrite Yb in *; unfold Rabs; destruct (Rcase_abs (s + b)); lra.
 Qed.

@@ -7,10 +7,10 @@ usage: prove.py [--build FOLDER] [CLAIM...]
 The table there is the list: a row a claim, its third column the tool and its file.  Each file
 is handed to its tool (tools.py) on this tree, and on a copy with a fault in it for every
 patch proofs/mutants/CLAIM.*.patch, which must not be proved; as many at once as there are
-processors.  Of Coq a patch may have a file of the same name beside it, .v: then that what it makes
-of the file is false is proved as well.  A patch that says `with: OPTIONS` first has those in place of the file's, to have no
-more proved again than what it changes.  A line a claim; status 1 if one is open, or a mutant is
-not rejected, or a claim has none.
+processors.  A patch of a proof in Coq may have a file of the same name beside it, .v, with a
+counterexample: then it is also proved that what the mutant says is false.  A patch that says
+`with: OPTIONS` first has those in place of the file's, to have no more proved again than what it
+changes.  A line a claim; status 1 if one is open, or a mutant is not rejected, or a claim has none.
 """
 import argparse
 import concurrent.futures

@@ -247,16 +247,23 @@ START_TEST(a_particle_beyond_its_wall_by_a_rounding_crosses_at_once)
 }
 END_TEST
 
-START_TEST(the_check_sees_a_particle_in_the_wrong_list)
+START_TEST(along_an_axis_with_images_all_cells_are_near)
 {
-    gsl_rng *rng = seeded(6);
+    gsl_rng *rng = seeded(10);
     brink_system s;
     brink_cells c;
-    make(&s, 3, 8, 8, 8, 10, rng);
+    make(&s, 3, 12, 13, 4, 100, rng);
     ck_assert_int_eq(brink_cells_create(&c, &s, s.range), 0);
-    ck_assert_ptr_null(brink_cells_is_valid(&c));
-    c.cell[4] ^= 1;
-    ck_assert_ptr_nonnull(brink_cells_is_valid(&c));
+    const uint32_t layer = (uint32_t)(c.count[0] * c.count[1]);
+    for (uint32_t i = 0; i < s.count; i++) {
+        brink_stay stay;
+        brink_cells_stay(&c, &s, i, 0.0, &stay);
+        for (int k = 0; k < stay.cells; k++)
+            ck_assert_msg(
+                is_among((stay.near[k] + layer) % c.total, stay.near, stay.cells),
+                "cell %u is near to %u, the one above it is not", stay.near[k],
+                i);
+    }
     brink_cells_destroy(&c);
     brink_system_destroy(&s);
     gsl_rng_free(rng);
@@ -272,5 +279,5 @@ int main(void)
         crossings_keep_the_cell_in_step_with_the_position,
         a_particle_at_rest_never_crosses,
         a_particle_beyond_its_wall_by_a_rounding_crosses_at_once,
-        the_check_sees_a_particle_in_the_wrong_list);
+        along_an_axis_with_images_all_cells_are_near);
 }

@@ -4,7 +4,7 @@
 #include "transcribed/exact_dd_products_v.h"
 #include "transcribed/exact_dd_v.h"
 #include "transcribed/exact_v.h"
-#include "transcribed/impulse_sums_v.h"
+#include "transcribed/impulse_dd_v.h"
 #include <brink/lanes.h>
 
 /** Another for a sum with x: -x or nearly, or up to 2^60 larger or smaller. */
@@ -27,6 +27,12 @@ START_TEST(sums_are_those_of_the_proof)
         const dd y = {b, beside(&s, x.lo) * stream_scaled(&s, -8, 0)};
         SAME_DD(exact_dd_add_v_dd_add(x, y), dd_add(x, y), x.hi, x.lo, y.hi,
                 y.lo);
+        // Where fast_two_sum has to leave nothing behind: of parts as they are
+        // kept, the lower one at most half an ulp.
+        const dd v = two_sum(a, x.lo);
+        const dd w = two_sum(b, b * stream_scaled(&s, -60, -53));
+        SAME_DD(impulse_dd_v_dd_add_d(v, b), dd_add_d(v, b), v.hi, v.lo, b);
+        SAME_DD(impulse_dd_v_dd_add(v, w), dd_add(v, w), v.hi, v.lo, w.hi, w.lo);
     }
 }
 END_TEST
@@ -44,8 +50,7 @@ START_TEST(products_are_those_of_the_proof)
         SAME_DD(exact_dd_products_v_dd_mul(x, y), dd_mul(x, y), a, x.lo, b, y.lo);
         SAME_DD(exact_dd_products_v_dd_div(x, y), dd_div(x, y), a, x.lo, b, y.lo);
         SAME_DD(exact_dd_products_v_dd_sqrt(root), dd_sqrt(root), a, x.lo);
-        SAME_DD(impulse_sums_v_dd_div(a, y), dd_div((dd){a, 0}, y), a, b, y.lo);
-        SAME_DD(impulse_sums_v_dd_add_d(x, b), dd_add_d(x, b), a, x.lo, b);
+        SAME_DD(impulse_dd_v_dd_mul_d(x, b), dd_mul_d(x, b), a, x.lo, b);
     }
 }
 END_TEST

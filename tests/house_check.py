@@ -223,6 +223,15 @@ def check_lines():
                 fault(path, f"has {len(lines)} lines: split it where its subjects part")
 
 
+def check_merged():
+    """Nothing that was written by people is half of one version and half of another."""
+    written = {".md", ".txt", ".c", ".h", ".v", ".g", ".cpp", ".smt2", ".py", ".sh", ".yaml"}
+    for path in sorted(p for name in TOP for p in ((ROOT / name), *(ROOT / name).rglob("*"))
+                       if p.suffix in written):
+        if re.search(r"^(<{7}|>{7}) ", path.read_text(errors="replace"), re.MULTILINE):
+            fault(path, "was merged and has both versions in it")
+
+
 def main():
     check_rooms("kernels")
     check_rooms("sim")
@@ -234,6 +243,7 @@ def main():
     check_paths()
     check_fast_math_is_refused()
     check_lines()
+    check_merged()
     print(*faults, sep="\n", end="\n" if faults else "")
     print(f"{len(faults)} faults")
     return bool(faults)

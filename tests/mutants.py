@@ -239,13 +239,13 @@ class Campaign:
 
 
 def main():
-    options = argparse.ArgumentParser(usage=__doc__.split("\n")[2])
+    options = argparse.ArgumentParser(usage=__doc__.split("\n")[2].removeprefix("usage: "))
     options.add_argument("-j", type=int, default=os.cpu_count(), dest="jobs")
     options.add_argument("-t", action="append", dest="tests")
     options.add_argument("source", type=pathlib.Path)
     options.add_argument("folder", type=pathlib.Path)
     options.add_argument("files", nargs="*", metavar="file")
-    given = options.parse_args()
+    given = options.parse_intermixed_args()
     source, folder = given.source.resolve(), given.folder.resolve()
     build = Build(source, folder / "plain")
     sanitized = Build(source, folder / "sanitized", "-DBRINK_SANITIZE=ON")

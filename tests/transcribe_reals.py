@@ -179,7 +179,7 @@ class Code:
         if x[0] == "pair":
             return self.pair(*parts)
         if x[0] == "if":
-            return self.written("if", *[self.rounded(y) for y in parts])
+            return self.chosen(*parts)
         if x[0] in ("<", "<=", ">", ">=", "="):
             return self.compared(x[0], *parts)
         if x[0] == "-" and len(parts) == 2 and parts[0] == self.rounds.get(parts[1]):
@@ -187,6 +187,12 @@ class Code:
         if len(parts) == 2:
             return combined(x[0], *parts)
         return negative(*parts) if x[0] == "-" else combined("/", Fraction(1), *parts)
+
+    def chosen(self, x, y, one, other):
+        """Of two pairs, each part."""
+        if isinstance(one, Pair):
+            return Pair(self.chosen(x, y, one.hi, other.hi), self.chosen(x, y, one.lo, other.lo))
+        return self.written("if", *[self.rounded(z) for z in (x, y, one, other)])
 
     def pair(self, x, y):
         hi, lo = self.double(x), self.double(y)
