@@ -11,6 +11,9 @@ int brink_potential_is_valid(const brink_potential *p)
     /*@ loop invariant 0 <= k <= p->count;
       @ loop invariant distances: \forall integer i; 0 <= i < k ==>
       @     \is_finite(p->distance[i]) && p->distance[i] > 0;
+      @ loop invariant decreasing: decreases(p->distance, k);
+      @ loop invariant and_next: 0 < k < p->count && \is_finite(p->distance[k])
+      @     ==> p->distance[k] < p->distance[k - 1];
       @ loop invariant energies: \forall integer i; 0 <= i < k ==>
       @     \is_finite(p->energy[i]) ||
       @     (i == p->count - 1 && \is_plus_infinity(p->energy[i]));

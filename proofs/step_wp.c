@@ -17,6 +17,7 @@
  */
 #include "../kernels/step.h"
 #include "libm_wp.h"
+#include "step_wp.h"
 #include <limits.h>
 
 /*@ // Memory behind a potential, and fewer steps than an int can count levels of.
@@ -55,6 +56,7 @@
   @ ensures distances: \result == 1 ==>
   @     \forall integer k; 0 <= k < p->count ==>
   @         \is_finite(p->distance[k]) && p->distance[k] > 0;
+  @ ensures decreasing: \result == 1 ==> decreases(p->distance, p->count);
   @ ensures energies: \result == 1 ==>
   @     \forall integer k; 0 <= k < p->count ==>
   @         \is_finite(p->energy[k]) ||
