@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** Levels, and what is legal at them: proved by step_wp.c, taken by states_wp.c. */
+/** Levels and what is legal at them: proved by step_wp.c, used by states_wp.c. */
 #include "../kernels/step.h"
 #include <limits.h>
 
