@@ -139,7 +139,11 @@ def gappa(tree, build, file, options):
 
 
 def portable(tree, build):
-    """What Frama-C's preprocessor is told: the kernels' branches without intrinsics."""
+    """What Frama-C's preprocessor is told: the kernels' branches without intrinsics, and where
+    <brink/...> is."""
+    brink = build / "brink"
+    if not brink.exists():
+        brink.symlink_to(tree / "kernels")
     folders = f"-I{tree / 'kernels'} -I{tree / 'sim'} -I{build}"
     return f"-cpp-extra-args={folders} -U__SSE2__ -U__AVX__ -U__FMA__"
 

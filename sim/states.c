@@ -35,6 +35,10 @@ static uint32_t find(const brink_states *s, uint32_t i, uint32_t j)
     const brink_link *link = brink_states_links(s, i);
     const uint32_t count = brink_states_partners(s, i);
     uint32_t k = 0;
+    /*@ loop invariant k <= count;
+      @ loop invariant level_of(s, i, j) == level_from(s, i, j, k);
+      @ loop assigns k;
+      @ loop variant count - k; */
     while (k < count && link[k].partner != j)
         k++;
     return k;
