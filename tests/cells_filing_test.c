@@ -83,7 +83,7 @@ START_TEST(a_tour_goes_on_where_the_handful_was_full)
 {
     brink_system s;
     brink_cells c;
-    uint32_t cells[60], who[BRINK_HANDFUL], all = 0;
+    uint32_t cells[60] = {0}, who[BRINK_HANDFUL], all = 0;
     uint8_t seen[60 * BRINK_BUCKET] = {0};
     crowd(&s, &c, cube, 60 * BRINK_BUCKET);
     for (uint32_t i = 0; i < s.count; i++) {

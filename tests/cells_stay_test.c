@@ -78,6 +78,7 @@ static int expect_near(const brink_run *run, uint32_t i, double offset,
         const double from = v * (offset - p->since),
                      to = v * (stay->until - p->since);
         for (int way = -1; way <= 1; way += 2) {
+            // NOLINTNEXTLINE(clang-analyzer-core.*): at most three dimensions
             const uint64_t wall = c->wall[a][index[a] + (way > 0)];
             const double gap = way * (double)(int64_t)(wall - p->x[a]) * unit;
             const double least = fmin(gap - way * from, gap - way * to);
