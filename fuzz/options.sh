@@ -13,8 +13,10 @@ longest=256
 case $1 in
 libfuzzer)
     # Of any length from the beginning: the first bytes choose what the rest is for.  A
-    # minute is a hang; ten seconds were a run of two on a busy machine.
-    echo "-max_len=$longest -len_control=0 -timeout=60 -rss_limit_mb=2048"
+    # minute is a hang; ten seconds, libFuzzer's "slow", were a run of a tenth of one on a
+    # busy machine.
+    echo "-max_len=$longest -len_control=0 -timeout=60 -report_slow_units=60" \
+        -rss_limit_mb=2048
     [ ! -f "$dictionary" ] || echo "-dict=$dictionary"
     ;;
 afl)
