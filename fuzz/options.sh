@@ -20,7 +20,9 @@ libfuzzer)
     [ ! -f "$dictionary" ] || echo "-dict=$dictionary"
     ;;
 afl)
-    echo "-G $longest"
+    # Its second is as little of a processor, and one such seed would end the campaign: +
+    # leaves it out.
+    echo "-G $longest -t 10000+"
     [ ! -f "$dictionary" ] || echo "-x $dictionary"
     ;;
 esac

@@ -50,22 +50,28 @@ static void laws(const double q[3])
     keep("x -> -x mirrors the roots", q, &of_q, mirror, &of_mirror);
 }
 
+/** x 2^e in *to; whether both are normal, and nothing was rounded: what is just
+ *  below 2^-1022 would be, and be normal then. */
+static int times_power(double *to, double x, int e)
+{
+    *to = ldexp(x, e);
+    return isnormal(x) && isnormal(*to) && ldexp(*to, -e) == x;
+}
+
 /** Coefficients times powers of two: exact, so the roots are, too, as long as
  *  nothing leaves the normal range. */
 static void scaling(const double q[3], stream *s)
 {
     const int all = stream_int(s, -400, 400), unit = stream_int(s, -200, 200);
-    const double scaled[3] = {ldexp(q[0], all - unit), ldexp(q[1], all),
-                              ldexp(q[2], all + unit)};
+    double scaled[3];
     for (int k = 0; k < 3; k++)
-        if (!isnormal(q[k]) || !isnormal(scaled[k]))
+        if (!times_power(&scaled[k], q[k], all + (k - 1) * unit))
             return;
     roots of_q = solve(brink_quadratic_roots_cr, q);
     for (int k = 0; k < of_q.n; k++) {
-        const double x = ldexp(of_q.x[k], unit);
-        if (!isnormal(of_q.x[k]) || !isnormal(x))
+        const double x = of_q.x[k];
+        if (!times_power(&of_q.x[k], x, unit))
             return;
-        of_q.x[k] = x;
     }
     const roots of_scaled = solve(brink_quadratic_roots_cr, scaled);
     keep("powers of two change nothing else", q, &of_q, scaled, &of_scaled);
