@@ -50,12 +50,12 @@ static void laws(const double q[3])
     keep("x -> -x mirrors the roots", q, &of_q, mirror, &of_mirror);
 }
 
-/** x 2^e in *to; whether both are normal, and nothing was rounded: what is just
- *  below 2^-1022 would be, and be normal then. */
+/** x 2^e in *to; whether that is exact and both are normal, and x not the least
+ *  number that is: what is rounded to that may be below it, in fewer bits. */
 static int times_power(double *to, double x, int e)
 {
     *to = ldexp(x, e);
-    return isnormal(x) && isnormal(*to) && ldexp(*to, -e) == x;
+    return fabs(x) > 0x1p-1022 && isnormal(*to) && ldexp(*to, -e) == x;
 }
 
 /** Coefficients times powers of two: exact, so the roots are, too, as long as
