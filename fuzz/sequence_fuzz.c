@@ -76,8 +76,8 @@ static void compare(const brink_system *begin, int events,
                 return;
             off = fmax(off, fabs(truth[n].time - other[k][n].time));
         }
-        // Beyond this they no longer stray in proportion to how they were deflected,
-        // and how far they do says nothing of a run's own roundings.
+        // Beyond this they no longer stray in proportion to how they were
+        // deflected, and it says nothing of how far a run's own roundings lead.
         if (off > 0x1p-10 * truth[n].time)
             return;
         if (same(&truth[n], &event[n], off))
