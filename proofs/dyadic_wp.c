@@ -55,8 +55,7 @@ static int compare_magnitudes(const brink_dyadic *a, const brink_dyadic *b);
 /*@ requires is_dyadic(a) && is_dyadic(b) && \valid(z);
   @ requires \separated(z, a) && \separated(z, b);
   @ requires (sign == 1 || sign == -1) && (way == 1 || way == -1);
-  @ requires \max(top(a), top(b)) + 1 - \min(a->low, b->low) <=
-  @     BRINK_DYADIC_LIMBS;
+  @ requires has_room_for_sum(a, b);
   @ terminates \true;
   @ exits \false;
   @ assigns *z;
@@ -80,8 +79,7 @@ static void copy(brink_dyadic *z, int sign, const brink_dyadic *a);
 /*@ requires is_dyadic(a) && is_dyadic(b) && \valid(z);
   @ requires \separated(z, a) && \separated(z, b);
   @ requires sign == 1 || sign == -1;
-  @ requires \max(top(a), top(b)) + 1 - \min(a->low, b->low) <=
-  @     BRINK_DYADIC_LIMBS;
+  @ requires has_room_for_sum(a, b);
   @ terminates \true;
   @ exits \false;
   @ assigns *z;

@@ -16,6 +16,9 @@
   @     (a->count == 0 ==> a->sign == 0);
   @ predicate is_normal(brink_dyadic *a) =
   @     a->count > 0 ==> a->limb[a->count - 1] != 0;
+  @ // Places from the lowest to the highest, and one more for the carry.
+  @ predicate has_room_for_sum(brink_dyadic *a, brink_dyadic *b) =
+  @     \max(top(a), top(b)) + 1 - \min(a->low, b->low) <= BRINK_DYADIC_LIMBS;
   @*/
 
 /*@ requires is_dyadic(a);
@@ -54,8 +57,7 @@ void brink_dyadic_double(brink_dyadic *z, double x);
 
 /*@ requires is_dyadic(a) && is_dyadic(b) && \valid(z);
   @ requires \separated(z, a) && \separated(z, b);
-  @ requires \max(top(a), top(b)) + 1 - \min(a->low, b->low) <=
-  @     BRINK_DYADIC_LIMBS;
+  @ requires has_room_for_sum(a, b);
   @ terminates \true;
   @ exits \false;
   @ assigns *z;
@@ -68,8 +70,7 @@ void brink_dyadic_add(brink_dyadic *z, const brink_dyadic *a,
 
 /*@ requires is_dyadic(a) && is_dyadic(b) && \valid(z);
   @ requires \separated(z, a) && \separated(z, b);
-  @ requires \max(top(a), top(b)) + 1 - \min(a->low, b->low) <=
-  @     BRINK_DYADIC_LIMBS;
+  @ requires has_room_for_sum(a, b);
   @ terminates \true;
   @ exits \false;
   @ assigns *z;
