@@ -3,12 +3,14 @@
  * A few particles: the simulator's events are the reference's, in MPFR numbers,
  * for as long as doubles can know them.
  *
- * How long that is the reference says itself, deflected by some 2^-36 of its
- * velocities and of the box, by SIGNS choices of signs: what they all do, a
- * simulator that is off by less than 2^-41 of them does, too (that number is
- * derived in tests/sequence_test.c).  Particles are near nothing but by chance:
- * at a tie or a tangent all deflections could do one thing, and a rounding the
- * other.
+ * How long that is the reference says itself, deflected before every event by
+ * some 2^-36 of its velocities and of the box, by SIGNS choices of signs: what
+ * they all do, a simulator whose events are each off by less than 2^-47 of them
+ * does, too (that number is derived in tests/sequence_test.c).  Before every one:
+ * what rounding takes from a pair at speed in a deep well is far more than it
+ * would have been before the pair fell in, and far too much when it has climbed
+ * out.  Particles are near nothing but by chance: at a tie or a tangent all
+ * deflections could do one thing, and a rounding the other.
  */
 #include "../tests/reference.h"
 #include "adverse.h"
@@ -52,13 +54,12 @@ static void refer(const brink_system *system, unsigned long signs, int events,
 {
     reference w;
     reference_create(&w, system, BITS);
-    if (signs > 0) {
-        reference_deflect(&w, DEFLECTION, signs);
-        reference_shift(&w, DEFLECTION, signs + SIGNS);
-    }
-    for (int n = 0; n < events; n++)
+    for (int n = 0; n < events; n++) {
+        if (signs > 0)
+            reference_deflect(&w, DEFLECTION, signs * EVENTS + (unsigned long)n);
         if (!reference_next(&w, &event[n]))
             event[n] = (reference_event){.time = -1};
+    }
     reference_destroy(&w);
 }
 

@@ -227,9 +227,12 @@ static int undone_deflected(const past *p, double by, unsigned long signs)
 }
 
 /** The way back is as chaotic as the way there, so events can be undone for as
- *  long as a deflection that stands for all roundings does not show;
- *  tests/sequence_test.c says why 2^-41 does.  There and back is twice the
- *  events: 2^-40. */
+ *  long as a deflection that stands for all roundings does not show.  An event's
+ *  are less than 2^-47 (tests/sequence_test.c).  Deviations grow by a bit at
+ *  least every 6 events here, so what is lost at later events adds less than
+ *  1 / (1 - 2^(-1/6)) < 10 times the loss of one: 2^-43; two bits more, as four
+ *  choices of signs are not all directions, and one, as there and back is twice
+ *  the events: 2^-40. */
 static void go_back(const char *name, const char *scene, int events)
 {
     static past p;

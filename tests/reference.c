@@ -246,22 +246,12 @@ void reference_deflect(reference *w, double size, unsigned long signs)
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(rng, signs);
     for (uint32_t i = 0; i < w->system->count; i++)
-        for (int k = 0; k < 3; k++) {
-            const double by = gsl_rng_uniform(rng) < 0.5 ? -size : size;
-            mpfr_mul_d(w->t, w->v[i][k], by, N);
-            mpfr_add(w->v[i][k], w->v[i][k], w->t, N);
-        }
-    gsl_rng_free(rng);
-}
-
-void reference_shift(reference *w, double size, unsigned long signs)
-{
-    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(rng, signs);
-    for (uint32_t i = 0; i < w->system->count; i++)
         for (int k = 0; k < w->system->dimensions; k++) {
-            const double by = gsl_rng_uniform(rng) < 0.5 ? -size : size;
-            mpfr_add_d(w->x[i][k], w->x[i][k], by * w->system->length[k], N);
+            const double x = gsl_rng_uniform(rng) < 0.5 ? -size : size;
+            const double v = gsl_rng_uniform(rng) < 0.5 ? -size : size;
+            mpfr_add_d(w->x[i][k], w->x[i][k], x * w->system->length[k], N);
+            mpfr_mul_d(w->t, w->v[i][k], v, N);
+            mpfr_add(w->v[i][k], w->v[i][k], w->t, N);
         }
     gsl_rng_free(rng);
 }

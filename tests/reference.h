@@ -34,11 +34,9 @@ typedef struct reference_event {
 void reference_create(reference *w, const brink_system *system, mpfr_prec_t bits);
 void reference_destroy(reference *w);
 
-/** Before the first event: v *= 1 +- size, each component by its own sign. */
+/** Between events: x += +-size of the box's length and v += +-size v, each
+ *  component by a sign of its own. */
 void reference_deflect(reference *w, double size, unsigned long signs);
-
-/** The same for positions: x += +-size of the box's length. */
-void reference_shift(reference *w, double size, unsigned long signs);
 
 /** Finds and executes the next event; 0 if none came in so many looks ahead, each
  *  over the time in which no pair travels further than a quarter of the box. */
