@@ -71,6 +71,18 @@ START_TEST(a_light_one_bounces_off_what_is_too_heavy_to_be_moved)
 }
 END_TEST
 
+START_TEST(the_least_of_velocities_are_exchanged)
+{
+    static const double speed[] = {0x1p-1074, 0x5p-1074, 0x1.8p-1022, 0x1p-1021};
+    const double r[3] = {1, 0, 0};
+    for (int i = 0; i < (int)(sizeof speed / sizeof *speed); i++) {
+        const velocities v = {{-speed[i], 0, 0}, {0, 0, 0}},
+                         right = {{0, 0, 0}, {-speed[i], 0, 0}};
+        are_same("least", i, after_core(r, 1, 1, v), right);
+    }
+}
+END_TEST
+
 /** What falls so far that its speed before is nothing to it; 2^2020 and 2^-1010
  *  of the unit are beyond what doubles can square. */
 START_TEST(a_fall_may_be_far_more_than_there_was)
@@ -123,6 +135,7 @@ int main(void)
     return RUN_SUITE(
         "impulse_scale", 60, one_component_may_be_all_there_is,
         a_light_one_bounces_off_what_is_too_heavy_to_be_moved,
+        the_least_of_velocities_are_exchanged,
         a_fall_may_be_far_more_than_there_was, a_rise_beyond_reach_is_a_core,
         a_rise_of_nothing_changes_nothing, who_has_no_account_owes_nothing);
 }
