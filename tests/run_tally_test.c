@@ -96,8 +96,8 @@ START_TEST(a_run_counts_what_it_executes)
 }
 END_TEST
 
-// A run's event after the nth, as if that had been `nth`, and so many before it at
-// its instant.
+// A run's event after the nth, as if that had been `nth`, and so many before it
+// at its instant.
 static enum brink_run_status go_on_from(brink_run *run, uint64_t n,
                                         brink_happening nth, uint32_t idle)
 {

@@ -53,7 +53,7 @@ START_TEST(levels_begin_as_positions_have_them)
 }
 END_TEST
 
-/** How many of the run's images are shifted by so many lengths along each axis. */
+// How many of the run's images are shifted by so many lengths along each axis.
 static int count_images(const brink_run *run, const int shift[3])
 {
     int found = 0;
