@@ -85,8 +85,8 @@ START_TEST(rounding_is_to_nearest_even_at_any_magnitude)
 }
 END_TEST
 
-// A midpoint s bits up, with nothing below it but zeros that are kept, or with one
-// bit: any of them decides.
+// A midpoint s bits up, with nothing below it but zeros that are kept, or with
+// one bit: any of them decides.
 START_TEST(any_bit_below_a_midpoint_is_seen)
 {
     for (int s = 1; s <= 130; s++)
