@@ -160,6 +160,18 @@ destruct x as [h l]; unfold is_dd, total; cbn [hi lo].
 unfold u, Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
+(* The leading part alone, of what is > 0. *)
+Lemma near_high e x y : is_dd x -> near e (total x) y -> 0 <= e <= 1000 -> 0 < y ->
+  Rabs (hi x - y) <= 1002 / 1000 * u * y.
+Proof.
+destruct x as [h l]; unfold is_dd, near, total; cbn [hi lo]; intros D N E Y.
+rewrite (Rabs_pos_eq y) in N by lra.
+assert (e * (u * u * y) <= 1000 * (u * u * y)).
+{ apply Rmult_le_compat_r; [| lra]; repeat apply Rmult_le_pos; unfold u; lra. }
+assert (L : Rabs (h + l - y) <= 1000 * (u * u * y)) by lra; clear - D L Y.
+revert D L; unfold u, Rabs; repeat destruct Rcase_abs; lra.
+Qed.
+
 Lemma dd_sign x : is_dd x -> (0 < hi x <-> 0 < total x) /\ (hi x < 0 <-> total x < 0) /\
   999 / 1000 * Rabs (hi x) <= Rabs (total x) /\ Rabs (total x) <= 1001 / 1000 * Rabs (hi x).
 Proof.
