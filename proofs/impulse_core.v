@@ -17,7 +17,7 @@ Hypothesis Apart : 0 < r0 * r0 + r1 * r1 + r2 * r2.
 Hypothesis Way : way = 1 \/ way = -1.
 Let speed := b r0 r1 r2 p0 p1 p2 q0 q1 q2.
 Let square := rr r0 r1 r2.
-Let mass := mu m1 m2.
+Let reduced := mu m1 m2.
 Let B := r0 * (p0 - q0) + r1 * (p1 - q1) + r2 * (p2 - q2).
 Let P := Rabs (r0 * (p0 - q0)) + Rabs (r1 * (p1 - q1)) + Rabs (r2 * (p2 - q2)).
 Let Q := r0 * r0 + r1 * r1 + r2 * r2.
@@ -25,8 +25,8 @@ Let Mu := m1 * m2 / (m1 + m2).
 
 (* What goes along `way` is reflected, with what is paid. *)
 Definition kept := rnd (way * hi speed).
-Definition paid := payment (hi square) (hi mass) owed kept.
-Definition left := left_owed (hi square) (hi mass) owed kept.
+Definition paid := payment (hi square) (hi reduced) owed kept.
+Definition left := left_owed (hi square) (hi reduced) owed kept.
 Definition reflection := dd_add_d (dd_mul_d speed (-2)) (rnd (- way * paid)).
 Hypothesis Along : 0 < kept.
 
@@ -69,11 +69,11 @@ assert (H : Rabs (h - t) <= 1002 / 1000 * u * t /\ 0 <= t <= 1001 / 1000 * P /\
   apply Rabs_le_inv in Tb; apply Rabs_le_inv in Wb; unfold u in *; lra. }
 destruct H as (Ht & T & Tb).
 assert (Cr := rr_is_close r0 r1 r2); fold square Q in Cr; assert (Q0 : 0 < Q) by exact Apart.
-destruct (mu_is_close m1 m2 F2 M1 M2) as (Dm & Cm & _); fold mass in Dm, Cm; fold Mu in Cm.
+destruct (mu_is_close m1 m2 F2 M1 M2) as (Dm & Cm & _); fold reduced in Dm, Cm; fold Mu in Cm.
 assert (Mp : 0 < Mu) by exact (Mu_pos m1 m2 M1 M2).
-destruct (payment_pays (hi square) (hi mass) owed h Q Mu Q0 Mp (Rlt_le _ _ Along)
+destruct (payment_pays (hi square) (hi reduced) owed h Q Mu Q0 Mp (Rlt_le _ _ Along)
   (near_high 10 square Q ltac:(apply normal_is_dd) Cr ltac:(lra) Q0)
-  (near_high _ mass Mu Dm Cm ltac:(lra) Mp)) as (Pd & Ph & Pg & Pl).
+  (near_high _ reduced Mu Dm Cm ltac:(lra) Mp)) as (Pd & Ph & Pg & Pl).
 fold paid left G in Pd, Ph, Pg, Pl.
 (* beside it, seen against `way`: from - way B by 2 t to t *)
 set (y := - way * x).

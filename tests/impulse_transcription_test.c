@@ -33,6 +33,13 @@ static void any_pair(stream *s, pair *p, double rise)
 #define MASSES(p)  (p).m1, (p).m2
 #define NUMBERS(p) LENGTHS(p), SPEEDS(p), MASSES(p)
 
+/** Some part of a speed's energy, or nothing, or what is too much to be paid. */
+static double any_owed(stream *s, const pair *p, double speed)
+{
+    const double energy = p->mu.hi * speed * speed / (2 * p->rr.hi);
+    return stream_int(s, 0, 7) ? stream_scaled(s, -60, -16) * energy : 0;
+}
+
 START_TEST(a_pair_is_that_of_the_proof)
 {
     EACH_INPUT(s)
@@ -127,11 +134,16 @@ START_TEST(a_core_is_that_of_the_proof)
     {
         pair p;
         any_pair(&s, &p, 0);
-        if (!(p.b.hi < 0)) // nothing to do
+        const enum brink_direction way =
+            p.b.hi < 0 ? BRINK_INWARD : BRINK_OUTWARD;
+        if (p.b.hi == 0) // nothing to do
             continue;
-        const dd change = reflection(&p, BRINK_INWARD);
-        SAME_DD(impulse_core_v_reflection(LENGTHS(p), SPEEDS(p)), change,
-                NUMBERS(p));
+        const double owed = p.owed = any_owed(&s, &p, p.b.hi);
+        const dd change = reflection(&p, way);
+        SAME_DD(impulse_core_v_reflection(NUMBERS(p), way, owed), change,
+                NUMBERS(p), way, owed);
+        SAME(impulse_core_v_left(NUMBERS(p), way, owed), p.owed, NUMBERS(p), way,
+             owed);
         same_change(&p, change);
     }
 }
@@ -145,11 +157,15 @@ START_TEST(a_crossing_is_that_of_the_proof)
         double rise;
         const enum brink_direction way = any_step(&s, &p, &rise);
         const crossing c = crossing_of(&p, ldexp(rise, p.em + 2 * p.ev), way);
+        const double owed = p.owed = any_owed(&s, &p, sqrt(fabs(c.rest.hi)));
         const dd change = crossed(&p, &c, way);
         const dd told =
-            impulse_crossing_v_crossed(NUMBERS(p), way, rise, 0x1p900);
-        SAME(told.hi + 0.0, change.hi + 0.0, NUMBERS(p), way, rise); // 0 for -0
-        SAME(told.lo + 0.0, change.lo + 0.0, NUMBERS(p), way, rise);
+            impulse_crossing_v_crossed(NUMBERS(p), way, rise, 0x1p900, owed);
+        // + 0.0: 0 for -0
+        SAME(told.hi + 0.0, change.hi + 0.0, NUMBERS(p), way, rise, owed);
+        SAME(told.lo + 0.0, change.lo + 0.0, NUMBERS(p), way, rise, owed);
+        SAME(impulse_crossing_v_left(NUMBERS(p), way, rise, 0x1p900, owed),
+             p.owed, NUMBERS(p), way, rise, owed);
         if (change.hi != 0)
             same_change(&p, change);
     }
