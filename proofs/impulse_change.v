@@ -23,6 +23,20 @@ assert (Q : forall s t, 0 <= (s - t) * (s - t)) by (intros; apply Rle_0_sqr).
 generalize (Q (a' * y') (b' * x')) (Q (a' * z') (c' * x')) (Q (b' * z') (c' * y')); intros; lra.
 Qed.
 
+(* A kinetic energy is no less than that of the relative velocity. *)
+Lemma relative_energy m1 m2 p0 p1 p2 q0 q1 q2 : 0 < m1 -> 0 < m2 ->
+  m1 * m2 / (m1 + m2) * ((p0 - q0) * (p0 - q0) + (p1 - q1) * (p1 - q1) + (p2 - q2) * (p2 - q2)) / 2
+  <= m1 * (p0 * p0 + p1 * p1 + p2 * p2) / 2 + m2 * (q0 * q0 + q1 * q1 + q2 * q2) / 2.
+Proof.
+intros M1 M2; set (mu := m1 * m2 / (m1 + m2)).
+assert (W : forall p q, mu * ((p - q) * (p - q)) <= m1 * (p * p) + m2 * (q * q)).
+{ intros p q; assert (0 <= (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)).
+  { apply Rmult_le_pos; [apply Rle_0_sqr | apply Rlt_le, Rinv_0_lt_compat; lra]. }
+  replace (mu * ((p - q) * (p - q))) with (m1 * (p * p) + m2 * (q * q) -
+    (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)) by (unfold mu; field; lra); lra. }
+generalize (W p0 q0) (W p1 q1) (W p2 q2); lra.
+Qed.
+
 Section Change.
 Variables r0 r1 r2 p0 p1 p2 q0 q1 q2 m1 m2 : R. (* r, v1, v2 *)
 Hypotheses (F1 : is_double m1) (F2 : is_double m2) (M1 : 0 < m1) (M2 : 0 < m2).
@@ -214,13 +228,7 @@ assert (Cr : Rabs (change + rise - paid) <= 297 * u * u * e + 9 * u * Rabs paid)
   replace (change + rise - paid) with (change - z + (z + rise - paid)) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _); clearbody y z e; unfold u in *; lra. }
 (* e is not larger than both energies *)
-assert (W : forall p q, Mu * ((p - q) * (p - q)) <= m1 * (p * p) + m2 * (q * q)).
-{ intros p q; assert (0 <= (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)).
-  { apply Rmult_le_pos; [apply Rle_0_sqr | apply Rlt_le, Rinv_0_lt_compat; lra]. }
-  replace (Mu * ((p - q) * (p - q))) with (m1 * (p * p) + m2 * (q * q) -
-    (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)) by (unfold Mu; field; lra); lra. }
-assert (Vb : Mu * V / 2 <= before).
-{ generalize (W p0 q0) (W p1 q1) (W p2 q2); unfold V, before, kinetic; lra. }
+assert (Vb : Mu * V / 2 <= before) by now apply relative_energy.
 assert (Pv : Mu / Q * (P * P) / 2 <= Mu * V / 2).
 { assert (H := cauchy r0 r1 r2 (p0 - q0) (p1 - q1) (p2 - q2)); cbv zeta in H; fold P Q V in H.
   apply (Rmult_le_compat_l (Mu / Q)) in H; [| lra].

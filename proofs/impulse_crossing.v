@@ -115,22 +115,11 @@ assert (Tl : Rabs (total kept - (total speed * total speed - total lost)) <=
 (* what goes on *)
 assert (Cg : 0 < S * S - L <= g * g) by (split; assumption).
 destruct (dd_sign speed Ds) as [Ss _]; destruct (dd_sign kept Dr) as [Sr _].
-assert (Root : 0 < hi kept -> is_dd (dd_sqrt kept) /\ 0 < total (dd_sqrt kept) /\
-  Rabs (total (dd_sqrt kept) * total (dd_sqrt kept) - total kept) <=
-    85 / 10 * u * u * total kept).
-{ intro H; destruct (dd_sqrt_is_close kept (normal_is_double _) H Dr) as [D E].
-  split; [exact D |]; apply Sr in H; assert (Pz := sqrt_lt_R0 _ H).
-  assert (Z := sqrt_sqrt _ (Rlt_le _ _ H)).
-  set (z := sqrt (total kept)) in *; set (a := total (dd_sqrt kept)) in *; clearbody z a.
-  apply Rabs_le_inv in E; split; [unfold u in *; lra |]; rewrite <- Z.
-  replace (a * a - z * z) with ((a - z) * (a + z)) by ring; rewrite Rabs_mult.
-  assert (Rabs (a - z) * Rabs (a + z) <= 42 / 10 * u * u * z * (2001 / 1000 * z)).
-  { apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; unfold u in *; lra. }
-  assert (0 <= z * z) by apply Rle_0_sqr; unfold u in *; lra. }
 assert (Go : is_dd left_of /\ 0 <= total left_of <= 1001 / 1000 * g /\
   goes_on S L g (total along) (total left_of)).
 { unfold left_of, along; destruct (Rlt_dec 0 (hi kept)) as [H | H].
-  - destruct (Root H) as (Dz & A & Az); apply Sr in H; split; [exact Dz |].
+  - destruct (dd_sqrt_square kept (normal_is_double _) Dr H) as (Dz & A & Az); apply Sr in H.
+    unfold near in Az; rewrite (Rabs_pos_eq (total kept)) in Az by lra; split; [exact Dz |].
     set (z := dd_sqrt kept) in *; split.
     { split; [lra |].
       exact (root_size S L P g _ _ _ Sp Pg Lg Cg Cs Nl Tl _ Az H). }
