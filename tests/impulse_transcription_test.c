@@ -5,6 +5,7 @@
 #include "transcribed/impulse_crossing_v.h"
 #include "transcribed/impulse_decision_v.h"
 #include "transcribed/impulse_kick_v.h"
+#include "transcribed/impulse_rim_v.h"
 #include "transcribed/impulse_sums_v.h"
 
 #define BRINK_PATH transcribed // its functions beside the library's
@@ -172,10 +173,60 @@ START_TEST(a_crossing_is_that_of_the_proof)
 }
 END_TEST
 
+/** With a speed along r of some parts of the rim's: what any_pair() lacks. */
+static void slow_down(stream *s, pair *p)
+{
+    double vv = 0;
+    for (int k = 0; k < 3; k++)
+        vv += (p->v1[k] - p->v2[k]) * (p->v1[k] - p->v2[k]);
+    const double speed = stream_scaled(s, -40, -23) * sqrt(p->rr.hi * vv);
+    double v1[3], v2[3];
+    for (int k = 0; k < 3; k++) {
+        v1[k] = p->v1[k] + (speed - p->b.hi) / p->rr.hi * p->r[k];
+        v2[k] = p->v2[k];
+    }
+    pair_make(p, p->r, p->m1, p->m2, 0, v1, v2, 0);
+}
+
+START_TEST(a_rim_rule_is_that_of_the_proof)
+{
+    uint64_t turned = 0, all = suite_share(TRANSCRIPTION_INPUTS);
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        slow_down(&s, &p);
+        double owed = stream_scaled(&s, -60, 0), v1[3], v2[3], want1[3], want2[3];
+        for (int k = 0; k < 3; k++) {
+            v1[k] = want1[k] = p.v1[k];
+            v2[k] = want2[k] = p.v2[k];
+        }
+        pair_make(&p, p.r, p.m1, p.m2, 0, v1, v2, owed);
+        const int turns =
+            fabs(p.b.hi) < impulse_rim_v_most(LENGTHS(p), SPEEDS(p)).hi;
+        if (turns) {
+            const dd w[3] = {impulse_rim_v_t0(LENGTHS(p), SPEEDS(p)),
+                             impulse_rim_v_t1(LENGTHS(p), SPEEDS(p)),
+                             impulse_rim_v_t2(LENGTHS(p), SPEEDS(p))};
+            pair_kick(&p, w, want1, want2);
+            turned++;
+        }
+        SAME(turns, brink_rim_impulse_balanced(p.r, p.m1, p.m2, v1, v2, &owed),
+             NUMBERS(p));
+        SAME(energy_owed(&p), owed, NUMBERS(p));
+        for (int k = 0; k < 3; k++) {
+            SAME(want1[k], v1[k], NUMBERS(p), k);
+            SAME(want2[k], v2[k], NUMBERS(p), k);
+        }
+    }
+    ck_assert(turned > all / 4 && turned < all);
+}
+END_TEST
+
 int main(void)
 {
     return RUN_SUITE("impulse, transcribed", 120, a_pair_is_that_of_the_proof,
                      a_decision_is_that_of_the_proof, a_kick_is_that_of_the_proof,
-                     a_core_is_that_of_the_proof,
-                     a_crossing_is_that_of_the_proof);
+                     a_core_is_that_of_the_proof, a_crossing_is_that_of_the_proof,
+                     a_rim_rule_is_that_of_the_proof);
 }
