@@ -5,6 +5,7 @@
 #include "transcribed/impulse_crossing_v.h"
 #include "transcribed/impulse_decision_v.h"
 #include "transcribed/impulse_kick_v.h"
+#include "transcribed/impulse_payment_v.h"
 #include "transcribed/impulse_rim_v.h"
 #include "transcribed/impulse_sums_v.h"
 
@@ -109,6 +110,22 @@ START_TEST(a_kick_is_that_of_the_proof)
             SAME(one.hi, ldexp(v1[k], -p.ev), NUMBERS(p), w[k].hi, w[k].lo);
             SAME(two.hi, ldexp(v2[k], -p.ev), NUMBERS(p), w[k].hi, w[k].lo);
         }
+    }
+}
+END_TEST
+
+START_TEST(a_payment_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        const double speed = fabs(stream_scaled(&s, -20, 20));
+        const double owed = p.owed = any_owed(&s, &p, speed);
+        SAME(impulse_payment_v_payment(p.rr.hi, p.mu.hi, owed, speed),
+             pair_pay(&p, speed), p.rr.hi, p.mu.hi, owed, speed);
+        SAME(impulse_payment_v_left_owed(p.rr.hi, p.mu.hi, owed, speed), p.owed,
+             p.rr.hi, p.mu.hi, owed, speed);
     }
 }
 END_TEST
@@ -227,6 +244,7 @@ int main(void)
 {
     return RUN_SUITE("impulse, transcribed", 120, a_pair_is_that_of_the_proof,
                      a_decision_is_that_of_the_proof, a_kick_is_that_of_the_proof,
-                     a_core_is_that_of_the_proof, a_crossing_is_that_of_the_proof,
+                     a_payment_is_that_of_the_proof, a_core_is_that_of_the_proof,
+                     a_crossing_is_that_of_the_proof,
                      a_rim_rule_is_that_of_the_proof);
 }
