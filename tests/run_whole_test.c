@@ -244,8 +244,27 @@ START_TEST(the_clock_goes_to_no_time_behind_it_and_not_for_ever)
     brink_run_destroy(&run);
     make_pair(&run, &well, (double[]){4, 0, 0}, (double[]){0, 0, 0});
     ck_assert_int_eq(brink_run_advance(&run, 1, BRINK_NEVER), BRINK_RUN_AT_REST);
+    ck_assert_int_eq(brink_run_step(&run), BRINK_RUN_AT_REST);
     ck_assert_int_eq(brink_instant_compare(run.now, begin), 0);
     brink_run_destroy(&run);
+}
+END_TEST
+
+START_TEST(what_is_due_at_the_target_takes_place)
+{
+    static const struct {
+        brink_instant until;
+        uint64_t events;
+    } c[] = {{{0, 0x1.fffffffffffffp-1}, 0}, {{1, 0}, 1}};
+    for (int k = 0; k < 2; k++) {
+        brink_run run; // in the well at 1
+        make_pair(&run, &well, (double[]){3, 0, 0}, (double[]){-1, 0, 0});
+        ck_assert_int_eq(brink_run_advance(&run, 2, c[k].until),
+                         BRINK_RUN_REACHED);
+        ck_assert_uint_eq(brink_tally_events(&run.tally), c[k].events);
+        ck_assert_int_eq(brink_instant_compare(run.now, c[k].until), 0);
+        brink_run_destroy(&run);
+    }
 }
 END_TEST
 
@@ -279,5 +298,6 @@ int main(void)
         observables_are_those_of_the_tally,
         who_is_looked_at_is_where_its_path_leads, a_run_with_events_is_not_quiet,
         the_clock_goes_to_no_time_behind_it_and_not_for_ever,
-        a_crossing_to_nowhere_is_refused_and_not_counted);
+        a_crossing_to_nowhere_is_refused_and_not_counted,
+        what_is_due_at_the_target_takes_place);
 }
