@@ -77,8 +77,8 @@
   @         first(b, e) == first(a, e)) &&
   @     (\forall integer s; is_slot(a, s) && s != slot ==>
   @         day(b, s) == day(a, s)) &&
-  @     (\forall integer s; is_slot(a, s) && s != slot && s != previous(a, slot) ==>
-  @         next(b, s) == next(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot &&
+  @         s != previous(a, slot) ==> next(b, s) == next(a, s)) &&
   @     (\forall integer s; is_slot(a, s) && s != slot && s != next(a, slot) ==>
   @         previous(b, s) == previous(a, s));
   @

@@ -102,6 +102,11 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
     heap_put(c, position, slot);
 }
 
+static void heap_add(brink_calendar *c, uint32_t slot)
+{
+    heap_settle(c, c->heap_count++, slot);
+}
+
 static void list_add(brink_calendar *c, uint32_t list, uint32_t slot)
 {
     const uint32_t head = c->first[list];
@@ -132,10 +137,9 @@ static void file_under(brink_calendar *c, uint32_t slot)
     if (when.epoch == c->epoch && day > c->today)
         list_add(c, day, slot);
     else
-        heap_settle(c, c->heap_count++, slot);
+        heap_add(c, slot);
 }
 
-// The links of the slot itself stay.
 static void list_remove(brink_calendar *c, uint32_t list, uint32_t slot)
 {
     const uint32_t before = c->filed[slot].previous, after = c->filed[slot].next;
