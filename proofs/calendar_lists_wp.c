@@ -251,7 +251,7 @@ static void take_out(brink_calendar *c, uint32_t slot);
   @     logic integer day_at(double days_a_time, double offset);
   @ }
   @
-  @ // The list of a slot's day, or of the later years; -1: it is due today, or was.
+  @ // The list of a slot's day, or of the later years; -1: due today, or before.
   @ logic integer list_for(brink_calendar *c, integer slot) =
   @     c->entry[slot].when.epoch > c->epoch ? c->days
   @     : c->entry[slot].when.epoch == c->epoch &&
