@@ -75,8 +75,8 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
     /*@ loop invariant
       @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
-      @ loop assigns position, c->heap[0 .. c->heap_count - 1],
-      @     c->filed[0 .. c->slots - 1].place;
+      @ loop assigns position, c->heap[0 .. \at(c->heap_count, Pre) - 1],
+      @     c->filed[0 .. \at(c->slots, Pre) - 1].place;
       @ loop variant position; */
     while (position > 0 && earlier(c, slot, c->heap[(position - 1) / 2])) {
         heap_put(c, position, c->heap[(position - 1) / 2]);
@@ -84,8 +84,8 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
     }
     /*@ loop invariant
       @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
-      @ loop assigns position, c->heap[0 .. c->heap_count - 1],
-      @     c->filed[0 .. c->slots - 1].place;
+      @ loop assigns position, c->heap[0 .. \at(c->heap_count, Pre) - 1],
+      @     c->filed[0 .. \at(c->slots, Pre) - 1].place;
       @ loop variant c->heap_count - position; */
     for (;;) {
         uint32_t child = 2 * position + 1;
@@ -100,6 +100,11 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
         position = child;
     }
     heap_put(c, position, slot);
+}
+
+static void heap_add(brink_calendar *c, uint32_t slot)
+{
+    heap_settle(c, c->heap_count++, slot);
 }
 
 static void list_add(brink_calendar *c, uint32_t list, uint32_t slot)
@@ -132,7 +137,17 @@ static void file_under(brink_calendar *c, uint32_t slot)
     if (when.epoch == c->epoch && day > c->today)
         list_add(c, day, slot);
     else
-        heap_settle(c, c->heap_count++, slot);
+        heap_add(c, slot);
+}
+
+static void list_remove(brink_calendar *c, uint32_t list, uint32_t slot)
+{
+    const uint32_t before = c->filed[slot].previous, after = c->filed[slot].next;
+    if (before == c->slots)
+        c->first[list] = after;
+    else
+        c->filed[before].next = after;
+    c->filed[after].previous = before;
 }
 
 static void take_out(brink_calendar *c, uint32_t slot)
@@ -144,13 +159,8 @@ static void take_out(brink_calendar *c, uint32_t slot)
         const uint32_t last = c->heap[--c->heap_count];
         if (last != slot)
             heap_settle(c, place, last);
-    } else {
-        const uint32_t before = c->filed[slot].previous,
-                       after = c->filed[slot].next;
-        *(before == c->slots ? &c->first[place - IN_LIST]
-                             : &c->filed[before].next) = after;
-        c->filed[after].previous = before;
-    }
+    } else
+        list_remove(c, place - IN_LIST, slot);
     c->filed[slot].place = NONE;
 }
 
