@@ -73,7 +73,9 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
 // Moves the hole at `position` to where `slot` belongs, and fills it.
 static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
-    /*@ loop invariant
+    /*@ loop invariant is_calendar(c) && has_times(c);
+      @ loop invariant position < c->heap_count && slot < c->slots;
+      @ loop invariant
       @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
@@ -82,8 +84,11 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
         heap_put(c, position, c->heap[(position - 1) / 2]);
         position = (position - 1) / 2;
     }
-    /*@ loop invariant
-      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
+    /*@ loop invariant is_calendar(c) && has_times(c);
+      @ loop invariant position < c->heap_count && slot < c->slots;
+      @ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot) &&
+      @     is_after_above(heap_of(c), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
       @     c->filed[0 .. c->slots - 1].place;
       @ loop variant c->heap_count - position; */
@@ -94,6 +99,8 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
         if (child + 1 < c->heap_count &&
             earlier(c, c->heap[child + 1], c->heap[child]))
             child++;
+        //@ assert above(position, child);
+        //@ assert is_before_below(heap_of(c), position, at(heap_of(c), child));
         if (!earlier(c, c->heap[child], slot))
             break;
         heap_put(c, position, c->heap[child]);

@@ -1,0 +1,24 @@
+
+/*@ lemma gone_up: \forall heap o, a, b, integer was, hole, up, slot;
+  @     has_become(o, a, was, hole, -1) && above(up, hole) && has_hole(a, hole, slot) && is_moved(a, b, hole, up) ==>
+  @     has_become(o, b, was, up, -1) && has_hole(b, up, slot);
+  @ lemma first_child: \forall heap h, integer hole, slot, child, other;
+  @     has_hole(h, hole, slot) && above(hole, child) && child < count(h) &&
+  @     above(hole, other) && other != child &&
+  @     (other < count(h) ==> !before(h, at(h, other), at(h, child))) ==>
+  @     is_before_below(h, hole, at(h, child));
+  @ lemma gone_down: \forall heap o, a, b, integer was, hole, down, slot;
+  @     has_become(o, a, was, hole, -1) && above(hole, down) && has_hole(a, hole, slot) && is_moved(a, b, hole, down) && is_before_below(a, hole, at(a, down)) && before(a, at(a, down), slot) ==>
+  @     has_become(o, b, was, down, -1) && has_hole(b, down, slot) && is_after_above(b, down, slot);
+  @ lemma filled: \forall heap o, a, b, integer was, hole, slot;
+  @     has_become(o, a, was, hole, -1) && has_hole(a, hole, slot) && is_put(a, b, hole, slot) ==>
+  @     has_become(o, b, was, -1, slot) && is_indexed(b, -1) && in_heap(b, -1, slot);
+  @ lemma before_both: \forall heap h, integer hole, down, slot;
+  @     has_hole(h, hole, slot) && above(hole, down) && down < count(h) &&
+  @     is_before_below(h, hole, at(h, down)) && !before(h, at(h, down), slot) ==>
+  @     is_before_below(h, hole, slot);
+  @ lemma filled_in_order: \forall heap a, b, integer hole, slot;
+  @     has_hole(a, hole, slot) && is_put(a, b, hole, slot) &&
+  @     is_after_above(a, hole, slot) && is_before_below(a, hole, slot) ==>
+  @     is_ordered(b, -1);
+  @*/
