@@ -1,6 +1,55 @@
 // SPDX-License-Identifier: MIT
-// with: -wp-prop @lemma
-#include "calendar_heap_wp.h"
+// with: -wp-prop @lemma -wp-model Typed+real
+/**
+ * What the calendar's heap_settle does to a heap, apart from memory: a hole moves
+ * up or down, and is filled.  The slots know their places, and none is lost; and
+ * no slot is before the one above it, if that was so but for the hole.  And that
+ * the order of the calendar's slots is one.  Each lemma is proved of those before
+ * it.
+ */
+#include "calendar_wp.h"
+#include "calendar_order_wp.h"
+
+// --- The order is kept where the entries are -----------------------------------
+
+/*@ lemma entries_kept{A, B}: \forall brink_entry *a, *b, *c, *d;
+  @     same_entry{A, B}(a, c) && same_entry{A, B}(b, d) ==>
+  @     (entry_before{A}(a, b) <==> entry_before{B}(c, d));
+  @ lemma slots_kept{A, B}: \forall brink_calendar *c, integer x, y;
+  @     same_entries{A, B}(c) && 0 <= x < \at(c->slots, A) &&
+  @     0 <= y < \at(c->slots, A) ==>
+  @     (slot_before{A}(c, x, y) <==> slot_before{B}(c, x, y));
+  @ lemma order_kept{A, B}: \forall brink_calendar *c, integer x, y;
+  @     same_entries{A, B}(c) && 0 <= x < \at(c->slots, A) &&
+  @     0 <= y < \at(c->slots, A) ==>
+  @     (before(heap_of{A}(c), x, y) <==> before(heap_of{B}(c), x, y));
+  @*/
+
+#include "calendar_kept_wp.h"
+
+// --- The order of entries, and of slots ----------------------------------------
+
+/*@ lemma one_way: \forall brink_instant a, b;
+  @     instant_before(a, b) ==> !instant_before(b, a);
+  @ lemma onward: \forall brink_instant a, b, c;
+  @     !instant_before(b, a) && !instant_before(c, b) ==> !instant_before(c, a);
+  @ lemma kinds_one_way{L}: \forall brink_entry *a, *b;
+  @     kind_before(a, b) ==> !kind_before(b, a);
+  @ lemma kinds_onward{L}: \forall brink_entry *a, *b, *c;
+  @     !kind_before(b, a) && !kind_before(c, b) ==> !kind_before(c, a);
+  @ lemma entries_one_way{L}: \forall brink_entry *a, *b;
+  @     entry_before(a, b) ==> !entry_before(b, a);
+  @ lemma entries_onward{L}: \forall brink_entry *a, *b, *c;
+  @     !entry_before(b, a) && !entry_before(c, b) ==> !entry_before(c, a);
+  @ lemma slots_one_way{L}: \forall brink_calendar *c, integer x, y;
+  @     slot_before(c, x, y) ==> !slot_before(c, y, x);
+  @ lemma slots_onward{L}: \forall brink_calendar *c, integer x, y, z;
+  @     !slot_before(c, y, x) && !slot_before(c, z, y) ==> !slot_before(c, z, x);
+  @ lemma one_is_before{L}: \forall brink_calendar *c, integer x, y;
+  @     x == y || slot_before(c, x, y) || slot_before(c, y, x);
+  @ lemma in_order{L}: \forall brink_calendar *c; has_an_order(heap_of{L}(c));
+  @*/
+
 // --- What follows when its hole moves, or is filled ----------------------------
 
 /*@ lemma same_order_kept: \forall heap a, b;
@@ -62,6 +111,8 @@
   @     has_become(a, b, hole, -1, slot);
   @*/
 
+#include "calendar_moves_wp.h"
+
 // --- And of the order ----------------------------------------------------------
 
 /*@ lemma root_is_first: \forall heap h, integer p;
@@ -70,5 +121,3 @@
   @     !before(h, at(h, (p - 1) / 2), at(h, 0)) ==>
   @     !before(h, at(h, p), at(h, 0));
   @*/
-
-#include "calendar_moves_wp.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * What the calendar's heap_settle does to a heap, apart from memory: a hole moves
- * up or down, and is filled.  The slots know their places, and none is lost; and
- * no slot is before the one above it, if that was so but for the hole.  Each
- * lemma is proved of those before it.
+ * A heap apart from memory: what the calendar's is (calendar_wp.h), and what it is
+ * for it to be in order but for a hole.  What follows is in calendar_moves_wp.h.
  */
 
 // --- What a heap is ------------------------------------------------------------
@@ -81,4 +79,3 @@
   @ predicate has_become(heap a, heap b, integer was, integer hole, integer but) =
   @     same_order(a, b) && none_lost(a, b, was, hole, but);
   @*/
-

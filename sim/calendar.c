@@ -73,8 +73,7 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
 // Moves the hole at `position` to where `slot` belongs, and fills it.
 static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
-    /*@ loop invariant is_calendar(c) && has_times(c);
-      @ loop invariant position < c->heap_count && slot < c->slots;
+    /*@ loop invariant can_settle(c, position, slot);
       @ loop invariant
       @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. c->heap_count - 1],
@@ -84,8 +83,7 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
         heap_put(c, position, c->heap[(position - 1) / 2]);
         position = (position - 1) / 2;
     }
-    /*@ loop invariant is_calendar(c) && has_times(c);
-      @ loop invariant position < c->heap_count && slot < c->slots;
+    /*@ loop invariant can_settle(c, position, slot);
       @ loop invariant
       @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot) &&
       @     is_after_above(heap_of(c), position, slot);
