@@ -14,14 +14,20 @@
   @     is_before_below(a, hole, at(a, down)) && before(a, at(a, down), slot) ==>
   @     has_become(o, b, was, down, -1) && has_hole(b, down, slot) &&
   @     is_after_above(b, down, slot);
-  @ lemma left_is_first: \forall heap h, integer hole, slot, child;
-  @     has_hole(h, hole, slot) && child == 2 * hole + 1 && child < count(h) &&
-  @     (child + 1 < count(h) ==> !before(h, at(h, child + 1), at(h, child))) ==>
-  @     is_before_below(h, hole, at(h, child));
-  @ lemma right_is_first: \forall heap h, integer hole, slot, child;
-  @     has_hole(h, hole, slot) && child == 2 * hole + 2 && child < count(h) &&
-  @     before(h, at(h, child), at(h, child - 1)) ==>
-  @     is_before_below(h, hole, at(h, child));
+  @ lemma left_is_alone: \forall heap h, integer hole, left;
+  @     has_an_order(h) && is_indexed(h, hole) && 0 <= hole &&
+  @     count(h) <= slots(h) && left == 2 * hole + 1 && left < count(h) &&
+  @     count(h) <= left + 1 ==> is_before_below(h, hole, at(h, left));
+  @ lemma left_is_first: \forall heap h, integer hole, left, right;
+  @     has_an_order(h) && is_indexed(h, hole) && 0 <= hole &&
+  @     left == 2 * hole + 1 && right == 2 * hole + 2 && right < count(h) &&
+  @     !before(h, at(h, right), at(h, left)) ==>
+  @     is_before_below(h, hole, at(h, left));
+  @ lemma right_is_first: \forall heap h, integer hole, left, right;
+  @     has_an_order(h) && is_indexed(h, hole) && 0 <= hole &&
+  @     left == 2 * hole + 1 && right == 2 * hole + 2 && right < count(h) &&
+  @     before(h, at(h, right), at(h, left)) ==>
+  @     is_before_below(h, hole, at(h, right));
   @ lemma none_below: \forall heap h, integer hole, slot;
   @     has_hole(h, hole, slot) && count(h) <= 2 * hole + 1 ==>
   @     is_before_below(h, hole, slot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// with: -wp-fct heap_settle,list_add -wp-model Typed+real
+// with: -wp-fct first_below,heap_settle,list_add -wp-model Typed+real
 /**
  * The calendar's heap and lists, as compiled.  The index is kept: the slot at a
  * position of the heap has that position for its place, so no slot is there
@@ -11,6 +11,17 @@
  */
 #include "calendar_wp.h"
 #include "calendar_moves_wp.h"
+
+/*@ requires is_calendar(c) && has_times(c);
+  @ requires 2 * position + 1 < c->heap_count;
+  @ requires has_an_order(heap_of(c)) && is_indexed(heap_of(c), position);
+  @ terminates \true;
+  @ exits \false;
+  @ assigns \nothing;
+  @ ensures below: above(position, \result) && \result < c->heap_count;
+  @ ensures first: is_before_below(heap_of(c), position, at(heap_of(c), \result));
+  @*/
+static uint32_t first_below(const brink_calendar *c, uint32_t position);
 
 /*@ requires can_settle(c, position, slot);
   @ requires has_hole(heap_of(c), position, slot);
