@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// with: -wp-fct brink_instant_compare,brink_entry_compare,earlier
+// with: -wp-fct brink_instant_compare,brink_entry_compare,earlier -wp-timeout 20
 /**
  * Entries are compared, as compiled, by the one order of calendar_order_wp.h, if
  * their offsets are numbers: which of two slots is earlier is the order of the
  * calendar's heap.
  */
 #include "calendar_wp.h"
+
 #include "calendar_order_wp.h"
 
 /*@ requires \is_finite(a.offset) && \is_finite(b.offset);

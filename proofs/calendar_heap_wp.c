@@ -8,6 +8,7 @@
  * it.
  */
 #include "calendar_wp.h"
+
 #include "calendar_order_wp.h"
 
 // --- The order is kept where the entries are -----------------------------------

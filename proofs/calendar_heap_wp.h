@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * A heap apart from memory: what the calendar's is (calendar_wp.h), and what it is
- * for it to be in order but for a hole.  What follows is in calendar_moves_wp.h.
+ * A heap apart from memory, as the calendar's is one (calendar_wp.h), and what it
+ * is to be in order but for a hole.  What follows is in calendar_moves_wp.h.
  */
 
 // --- What a heap is ------------------------------------------------------------

@@ -17,7 +17,7 @@
   @     entry_before(c->entry + x, c->entry + y) ||
   @     !entry_before(c->entry + y, c->entry + x) && x < y;
   @
-  @ // It is what heap_of has for its order; that says no more than what `before` is.
+  @ // It is the order of heap_of: a definition, of what `before` is there.
   @ axiomatic OrderOfHeap {
   @   axiom its_order{L}: \forall brink_calendar *c, integer x, y;
   @       before(heap_of{L}(c), x, y) <==> slot_before{L}(c, x, y);

@@ -4,6 +4,7 @@
  */
 #include "../sim/calendar.h"
 #include "libm_wp.h"
+
 #include "calendar_heap_wp.h"
 
 /*@ predicate is_calendar(brink_calendar *c) =
@@ -25,12 +26,13 @@
   @     (\forall integer p; at(h, p) == c->heap[p]) &&
   @     (\forall integer s; place(h, s) == c->filed[s].place);
   @
-  @ // What is in memory is the heap of these numbers: one for whatever is there, so
-  @ // that this is a definition, and assumes nothing.
+  @ // What is in memory is the heap of these numbers: one for whatever is there,
+  @ // so that this is a definition, and assumes nothing.
   @ axiomatic HeapOf {
   @   logic heap heap_of{L}(brink_calendar *c)
   @     reads *c, c->heap[..], c->filed[..], c->entry[..];
-  @   axiom it_is{L}: \forall brink_calendar *c; is_heap_of{L}(heap_of{L}(c), c);
+  @   axiom it_is{L}: \forall brink_calendar *c;
+  @       is_heap_of{L}(heap_of{L}(c), c);
   @ }
   @
   @ predicate same_entry{A, B}(brink_entry *e, brink_entry *f) =
