@@ -44,6 +44,7 @@ int brink_dyadic_magnitude(const brink_dyadic *a);
 uint64_t brink_dyadic_bits(const brink_dyadic *a, int from, int count);
 /** The double nearest to a, ties to even, out of range as IEEE has it. */
 double brink_dyadic_round(const brink_dyadic *a);
-/** a = (hi + lo) 2^*e, |hi + lo| in [1/2, 1], to 2u^2 of itself; 0 for 0. */
+/** a = (hi + lo) 2^*e, |hi + lo| in [1/2, 1], to 2u^2 of itself; 0 and *e = 0
+ *  for 0. */
 dd brink_dyadic_leading(const brink_dyadic *a, int *e);
 #endif

@@ -75,8 +75,9 @@ int brink_rim_impulse(const double r[3], double m1, double m2, double v1[3],
  *     energy after + *owed after = energy before + *owed before - rise if crossed
  *
  * to BRINK_IMPULSE_BALANCE of the larger kinetic energy and 2^-49 of *owed
- * before.  Whether the pair crosses does not depend on *owed; where that is 0,
- * velocities become what they become above.
+ * before.  What is added is there to 2^-49 of itself, which comes on top of
+ * BRINK_IMPULSE_ENERGY_ULP.  Whether the pair crosses does not depend on *owed;
+ * where that is 0, velocities become what they become above.
  */
 #define BRINK_IMPULSE_BALANCE 0x1p-96
 double brink_core_impulse_balanced(const double r[3], double m1, double m2,

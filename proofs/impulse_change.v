@@ -1,9 +1,9 @@
 (* with: rounding.v exact_dd_products.v impulse_dd.v impulse_sums.v impulse_kick.v *)
 (* with: impulse_decision.v *)
 (* SPDX-License-Identifier: MIT *)
-(* impulse.c, pair_change, nothing being owed before: a pair whose b changes by x with
-   x (2 b + x) = -L has the energy that it had, less mu L / 2 r.r.  What is here is what is left of
-   that where x is off a little.  Unbounded exponents. *)
+(* impulse.c, pair_change: a pair whose b changes by x with x (2 b + x) = G - L has the energy that
+   it had, less the rise mu L / 2 r.r, and what is paid, mu G / 2 r.r.  What is here is what is left
+   of that where x is off a little.  Unbounded exponents. *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Brink Require Import rounding exact_dd_products impulse_dd impulse_decision impulse_sums.
@@ -23,10 +23,18 @@ assert (Q : forall s t, 0 <= (s - t) * (s - t)) by (intros; apply Rle_0_sqr).
 generalize (Q (a' * y') (b' * x')) (Q (a' * z') (c' * x')) (Q (b' * z') (c' * y')); intros; lra.
 Qed.
 
-Lemma dd_add_0_near y : is_dd y -> near (34 / 10) (total (dd_add_d y 0)) (total y).
+(* A kinetic energy is no less than that of the relative velocity. *)
+Lemma relative_energy m1 m2 p0 p1 p2 q0 q1 q2 : 0 < m1 -> 0 < m2 ->
+  m1 * m2 / (m1 + m2) * ((p0 - q0) * (p0 - q0) + (p1 - q1) * (p1 - q1) + (p2 - q2) * (p2 - q2)) / 2
+  <= m1 * (p0 * p0 + p1 * p1 + p2 * p2) / 2 + m2 * (q0 * q0 + q1 * q1 + q2 * q2) / 2.
 Proof.
-intro Y; assert (C := dd_add_d_is_close y 0 Y); rewrite Rabs_R0, Rplus_0_r in C.
-unfold near; assert (0 <= Rabs (total y)) by apply Rabs_pos; unfold u in *; lra.
+intros M1 M2; set (mu := m1 * m2 / (m1 + m2)).
+assert (W : forall p q, mu * ((p - q) * (p - q)) <= m1 * (p * p) + m2 * (q * q)).
+{ intros p q; assert (0 <= (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)).
+  { apply Rmult_le_pos; [apply Rle_0_sqr | apply Rlt_le, Rinv_0_lt_compat; lra]. }
+  replace (mu * ((p - q) * (p - q))) with (m1 * (p * p) + m2 * (q * q) -
+    (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)) by (unfold mu; field; lra); lra. }
+generalize (W p0 q0) (W p1 q1) (W p2 q2); lra.
 Qed.
 
 Section Change.
@@ -66,6 +74,19 @@ apply Rle_trans with (1 := E); unfold Rdiv; rewrite Rabs_mult, Rabs_inv, (Rabs_p
 replace ((132 * / 10 + 10 + / 1000) * u * u * (Rabs (total c) * / Q) * Q) with
   ((132 * / 10 + 10 + / 1000) * u * u * Rabs (total c)) by (field; lra).
 assert (0 <= Rabs (total c)) by apply Rabs_pos; unfold u; lra.
+Qed.
+
+(* With what is paid, d, added last. *)
+Lemma made_with_payment x d : is_dd x -> c = dd_add_d x d ->
+  Rabs (made - (total x + d)) <= u * u * (267 / 10 * Rabs (total x) + 25 * Rabs d).
+Proof.
+intros X E; assert (N := made_is_close); unfold near in N; rewrite E in N.
+assert (C := dd_add_d_is_close x d X); set (y := total (dd_add_d x d)) in *.
+assert (Y : Rabs y <= Rabs (y - (total x + d)) + Rabs (total x) + Rabs d)
+  by (unfold Rabs; repeat destruct Rcase_abs; lra).
+replace (made - (total x + d)) with (made - y + (y - (total x + d))) by ring.
+apply Rle_trans with (1 := Rabs_triang _ _).
+generalize (Rabs_pos (total x)) (Rabs_pos d); unfold u in *; lra.
 Qed.
 
 (* What that kick does in real numbers. *)
@@ -144,27 +165,29 @@ Let before := kinetic m1 p0 p1 p2 + kinetic m2 q0 q1 q2.
 Let after := kinetic m1 (hi f0) (hi f1) (hi f2) +
   kinetic m2 (hi g0) (hi g1) (hi g2).
 
-
 (* Mu g^2 / 2 r.r is a part of the energy, before or after. *)
-Theorem change_keeps_energy rise g K :
-  let L := 2 * rise * Q / Mu in
-  Rabs (made * (2 * B + made) + L) <= 240 * u * u * (g * g) -> Rabs made <= 201 / 100 * g ->
+Theorem change_keeps_energy rise owed left g K :
+  let L := 2 * rise * Q / Mu in let G := 2 * (owed - left) * Q / Mu in
+  Rabs (made * (2 * B + made) + L - G) <= 270 * u * u * (g * g) + 9 * u * Rabs G ->
+  Rabs made <= 201 / 100 * g -> Rabs G <= / 1000000 * (g * g) -> left = 0 \/ left = owed ->
   P <= g -> g * g <= P * P \/ g * g <= P * P - L ->
   kinetic m1 p0 p1 p2 <= K -> kinetic m2 q0 q1 q2 <= K ->
   kinetic m1 (hi f0) (hi f1) (hi f2) <= K -> kinetic m2 (hi g0) (hi g1) (hi g2) <= K ->
-  Rabs (after - (before - rise)) <= 4 * u * (1 + / 35184372088832) * K /\
-  Rabs (after + owed_after m1 m2 w0 w1 w2 p0 p1 p2 q0 q1 q2 0 - (before - rise)) <=
-    1024 * u * u * K.
+  Rabs (after - (before - rise + (owed - left))) <=
+    4 * u * (1 + / 35184372088832) * K + 16 * u * Rabs (owed - left) /\
+  Rabs (after + owed_after m1 m2 w0 w1 w2 p0 p1 p2 q0 q1 q2 left - (before + owed - rise)) <=
+    1024 * u * u * K + 16 * u * Rabs owed.
 Proof.
-intros L D X Pg G B1 B2 A1 A2.
+intros L G D X Gg O Pg Gp B1 B2 A1 A2.
 assert (D0 : is_dd w0) by apply normal_is_dd; assert (D1 : is_dd w1) by apply normal_is_dd.
 assert (D2 : is_dd w2) by apply normal_is_dd.
-destruct (kick_keeps_energy m1 m2 F1 F2 M1 M2 w0 w1 w2 p0 p1 p2 q0 q1 q2 0 D0 D1 D2 K B1 B2
+destruct (kick_keeps_energy m1 m2 F1 F2 M1 M2 w0 w1 w2 p0 p1 p2 q0 q1 q2 left D0 D1 D2 K B1 B2
   A1 A2) as [E F].
-fold Mu change in E, F; rewrite Rabs_R0 in F; assert (C := change_does).
+fold Mu change in E, F; assert (C := change_does).
 set (o := owed_after _ _ _ _ _ _ _ _ _ _ _ _) in *.
 change (Rabs (after - (before + change)) <= 4 * u * (1 + / 140737488355328) * K) in E.
-change (Rabs (after + o - (before + 0 + change)) <= 256 * u * u * K + u * (1 + / 1000) * 0) in F.
+change (Rabs (after + o - (before + left + change)) <=
+  256 * u * u * K + u * (1 + / 1000) * Rabs left) in F.
 assert (Q0 : 0 < Q) by exact Apart; assert (Mq := mu_over_Q).
 assert (Mp : 0 < Mu) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra).
 assert (P0 : 0 <= P) by (unfold P; repeat apply Rplus_le_le_0_compat; apply Rabs_pos).
@@ -172,16 +195,22 @@ set (e := Mu / Q * (g * g) / 2).
 assert (E0 : 0 <= e).
 { assert (0 <= Mu / Q * (g * g)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]).
   unfold e; lra. }
+(* what is paid, as a part of e *)
+set (paid := owed - left) in *; assert (Gs : Mu / Q * Rabs G = 2 * Rabs paid).
+{ rewrite <- (Rabs_pos_eq (Mu / Q)), <- (Rabs_pos_eq 2), <- !Rabs_mult by lra; f_equal.
+  unfold G; field; lra. }
+assert (Pe : Rabs paid <= / 1000000 * e).
+{ apply (Rmult_le_compat_l (Mu / Q)) in Gg; [| lra]; unfold e; lra. }
 (* what the change does, and should *)
-assert (Cr : Rabs (change + rise) <= 267 * u * u * e).
-{ assert (S : Rabs (Mu / Q * (made * (2 * B + made) / 2) + rise) <= 240 * u * u * e).
-  { replace (Mu / Q * (made * (2 * B + made) / 2) + rise) with
-      (Mu / Q * ((made * (2 * B + made) + L) / 2)) by (unfold L; field; lra).
+assert (Cr : Rabs (change + rise - paid) <= 297 * u * u * e + 9 * u * Rabs paid).
+{ assert (S : Rabs (Mu / Q * (made * (2 * B + made) / 2) + rise - paid) <=
+    270 * u * u * e + 9 * u * Rabs paid).
+  { replace (Mu / Q * (made * (2 * B + made) / 2) + rise - paid) with
+      (Mu / Q * ((made * (2 * B + made) + L - G) / 2)) by (unfold L, G; field; lra).
     rewrite Rabs_mult, (Rabs_pos_eq (Mu / Q)) by lra; unfold Rdiv at 2; rewrite Rabs_mult.
-    rewrite (Rabs_pos_eq (/ 2)) by lra; unfold e.
-    replace (240 * u * u * (Mu / Q * (g * g) / 2)) with
-      (Mu / Q * (240 * u * u * (g * g) * / 2)) by (field; lra).
-    apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat_r; [lra | exact D]. }
+    rewrite (Rabs_pos_eq (/ 2)) by lra.
+    apply (Rmult_le_compat_l (Mu / Q)) in D; [| lra]; unfold e; clear - D Gs.
+    set (d := Rabs _) in D |- *; set (n := Mu / Q) in *; clearbody d n; unfold u in *; lra. }
   assert (Y : Rabs made * P + made * made <= 606 / 100 * (g * g)).
   { replace (made * made) with (Rabs made * Rabs made)
       by (rewrite <- Rabs_mult; apply Rabs_pos_eq, Rle_0_sqr).
@@ -196,30 +225,31 @@ assert (Cr : Rabs (change + rise) <= 267 * u * u * e).
     (221 / 100 * u * u * (Mu / Q * (Rabs made * P + made * made))) in C by ring.
   set (y := Mu / Q * (Rabs made * P + made * made)) in *.
   set (z := Mu / Q * (made * (2 * B + made) / 2)) in *.
-  replace (change + rise) with (change - z + (z + rise)) by ring.
+  replace (change + rise - paid) with (change - z + (z + rise - paid)) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _); clearbody y z e; unfold u in *; lra. }
 (* e is not larger than both energies *)
-assert (O : forall p q, Mu * ((p - q) * (p - q)) <= m1 * (p * p) + m2 * (q * q)).
-{ intros p q; assert (0 <= (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)).
-  { apply Rmult_le_pos; [apply Rle_0_sqr | apply Rlt_le, Rinv_0_lt_compat; lra]. }
-  replace (Mu * ((p - q) * (p - q))) with (m1 * (p * p) + m2 * (q * q) -
-    (m1 * p + m2 * q) * (m1 * p + m2 * q) / (m1 + m2)) by (unfold Mu; field; lra); lra. }
-assert (Vb : Mu * V / 2 <= before).
-{ generalize (O p0 q0) (O p1 q1) (O p2 q2); unfold V, before, kinetic; lra. }
+assert (Vb : Mu * V / 2 <= before) by now apply relative_energy.
 assert (Pv : Mu / Q * (P * P) / 2 <= Mu * V / 2).
 { assert (H := cauchy r0 r1 r2 (p0 - q0) (p1 - q1) (p2 - q2)); cbv zeta in H; fold P Q V in H.
   apply (Rmult_le_compat_l (Mu / Q)) in H; [| lra].
   replace (Mu / Q * (Q * V)) with (Mu * V) in H by (field; lra); lra. }
 assert (Eb : e <= before \/ e <= before - rise).
-{ destruct G as [G | G]; [left | right]; apply (Rmult_le_compat_l (Mu / Q)) in G; try lra.
+{ destruct Gp as [Gp | Gp]; [left | right]; apply (Rmult_le_compat_l (Mu / Q)) in Gp; try lra.
   - unfold e; lra.
-  - replace (Mu / Q * (P * P - L)) with (Mu / Q * (P * P) - 2 * rise) in G
+  - replace (Mu / Q * (P * P - L)) with (Mu / Q * (P * P) - 2 * rise) in Gp
       by (unfold L; field; lra); unfold e; lra. }
 assert (Ab : before <= 2 * K /\ after <= 2 * K).
 { unfold before, after; lra. }
+assert (Lo : 9 * Rabs paid + 1001 / 1000 * Rabs left <= 16 * Rabs owed).
+{ unfold paid; destruct O as [-> | ->]; [rewrite Rminus_0_r | rewrite Rminus_diag_eq by reflexivity];
+    rewrite Rabs_R0; generalize (Rabs_pos owed); lra. }
+assert (P1 := Rabs_le_inv _ _ (Rle_refl (Rabs paid))); assert (P2 := Rabs_pos paid).
+replace owed with (paid + left) in * by (unfold paid; ring).
 apply Rabs_le_inv in E; apply Rabs_le_inv in F; apply Rabs_le_inv in Cr.
+set (a := Rabs paid) in *; set (l := Rabs left) in *; set (t := Rabs (paid + left)) in *.
+clearbody change after before o e paid a l t.
 assert (Ek : e <= 2001 / 1000 * K).
-{ clearbody change after before o e; clear - E Cr Eb Ab E0; unfold u in *; lra. }
-clearbody change after before o e; clear - E F Cr Ek E0; split; apply Rabs_le; unfold u in *; lra.
+{ clear - E Cr Eb Ab E0 Pe P1 P2; unfold u in *; lra. }
+clear - E F Cr Ek E0 Lo P1 P2; split; apply Rabs_le; unfold u in *; lra.
 Qed.
 End Change.

@@ -124,6 +124,28 @@ replace (a * ((1 + / 1000 * u) * Rabs z)) with (a * Rabs z + / 1000 * u * (a * R
 unfold u in *; lra.
 Qed.
 
+Lemma near_product a b x y X Y : near a x X -> near b y Y -> 0 <= a <= 400 -> 0 <= b <= 400 ->
+  near (a + b + / 1000) (x * y) (X * Y).
+Proof.
+intros Hx Hy A B; apply (near_trans a b _ (X * y)); try lra; unfold near in *.
+- replace (x * y - X * y) with ((x - X) * y) by ring; rewrite !Rabs_mult, <- Rmult_assoc.
+  apply Rmult_le_compat_r; [apply Rabs_pos | exact Hx].
+- replace (X * y - X * Y) with (X * (y - Y)) by ring; rewrite !Rabs_mult.
+  replace (b * u * u * (Rabs X * Rabs Y)) with (Rabs X * (b * u * u * Rabs Y)) by ring.
+  apply Rmult_le_compat_l; [apply Rabs_pos | exact Hy].
+Qed.
+
+(* A root, by its square. *)
+Lemma near_root e x y : 0 <= x -> 0 < y -> near e (x * x) (y * y) -> near e x y.
+Proof.
+intros X Y; unfold near; replace (x * x - y * y) with ((x - y) * (x + y)) by ring.
+rewrite !Rabs_mult, (Rabs_pos_eq y), (Rabs_pos_eq (x + y)) by lra; intro H.
+apply (Rmult_le_reg_r y); [exact Y |].
+assert (Rabs (x - y) * y <= Rabs (x - y) * (x + y))
+  by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]).
+lra.
+Qed.
+
 (* A quotient q of x and m, both a little off. *)
 Lemma near_quotient a b q m y n : near a (q * m) y -> near b m n ->
   0 <= a <= 400 -> 0 <= b <= 400 -> n <> 0 -> near (a + b + / 1000) q (y / n).
@@ -158,6 +180,18 @@ Lemma dd_size x : is_dd x -> Rabs (hi x) <= 1001 / 1000 * Rabs (total x) /\
 Proof.
 destruct x as [h l]; unfold is_dd, total; cbn [hi lo].
 unfold u, Rabs; repeat destruct Rcase_abs; lra.
+Qed.
+
+(* The leading part alone, of what is > 0. *)
+Lemma near_high e x y : is_dd x -> near e (total x) y -> 0 <= e <= 1000 -> 0 < y ->
+  Rabs (hi x - y) <= 1002 / 1000 * u * y.
+Proof.
+destruct x as [h l]; unfold is_dd, near, total; cbn [hi lo]; intros D N E Y.
+rewrite (Rabs_pos_eq y) in N by lra.
+assert (e * (u * u * y) <= 1000 * (u * u * y)).
+{ apply Rmult_le_compat_r; [| lra]; repeat apply Rmult_le_pos; unfold u; lra. }
+assert (L : Rabs (h + l - y) <= 1000 * (u * u * y)) by lra; clear - D L Y.
+revert D L; unfold u, Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
 Lemma dd_sign x : is_dd x -> (0 < hi x <-> 0 < total x) /\ (hi x < 0 <-> total x < 0) /\
@@ -221,6 +255,20 @@ intros F X P Y; assert (Z : is_dd (Dd x 0)).
 { unfold is_dd; cbn [hi lo]; rewrite Rabs_R0, Rabs_pos_eq by lra; unfold u; lra. }
 destruct (dd_div_is_close (Dd x 0) y F X P Z Y) as [D E]; split; [exact D |].
 replace (total (Dd x 0)) with x in E by (unfold total; cbn [hi lo]; ring); exact E.
+Qed.
+
+Lemma dd_sqrt_square x : is_double (hi x) -> is_dd x -> 0 < hi x -> is_dd (dd_sqrt x) /\
+  0 < total (dd_sqrt x) /\ near (85 / 10) (total (dd_sqrt x) * total (dd_sqrt x)) (total x).
+Proof.
+intros F X H; destruct (dd_sqrt_is_close x F H X) as [D E]; split; [exact D |].
+apply (dd_sign x X) in H; assert (Pz := sqrt_lt_R0 _ H); assert (Z := sqrt_sqrt _ (Rlt_le _ _ H)).
+unfold near; rewrite (Rabs_pos_eq (total x)) by lra.
+set (z := sqrt (total x)) in *; set (a := total (dd_sqrt x)) in *; clearbody z a.
+apply Rabs_le_inv in E; split; [unfold u in *; lra |]; rewrite <- Z.
+replace (a * a - z * z) with ((a - z) * (a + z)) by ring; rewrite Rabs_mult.
+assert (Rabs (a - z) * Rabs (a + z) <= 42 / 10 * u * u * z * (2001 / 1000 * z)).
+{ apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; unfold u in *; lra. }
+assert (0 <= z * z) by apply Rle_0_sqr; unfold u in *; lra.
 Qed.
 
 Lemma dd_add_sizes x y : is_dd x -> is_dd y ->

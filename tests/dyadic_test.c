@@ -85,6 +85,49 @@ START_TEST(rounding_is_to_nearest_even_at_any_magnitude)
 }
 END_TEST
 
+// A midpoint s bits up, with nothing below it but zeros that are kept, or with
+// one bit: any of them decides.
+START_TEST(any_bit_below_a_midpoint_is_seen)
+{
+    for (int s = 1; s <= 130; s++)
+        for (int m = 1; m <= 7; m += 2)
+            for (int bit = -1; bit < s; bit++) {
+                brink_dyadic x, one, below, y, z;
+                brink_dyadic_integer(&x, (INT64_C(1) << 53) + m, s);
+                brink_dyadic_integer(&one, 1, 0);
+                brink_dyadic_integer(&below, 1, bit < 0 ? 0 : bit);
+                brink_dyadic_add(&y, &x, &one);
+                brink_dyadic_sub(&z, &y, &one);
+                if (bit >= 0)
+                    brink_dyadic_add(&y, &z, &below);
+                const int up = bit >= 0 || m % 4 == 3; // a tie: to even
+                const double right = ldexp(0x1p53 + (up ? m + 1 : m - 1), s);
+                const double got = brink_dyadic_round(bit < 0 ? &z : &y);
+                ck_assert_msg(got == right, "%d 2^%d, bit %d: %a, not %a", m, s,
+                              bit, got, right);
+            }
+}
+END_TEST
+
+// Those have fewer bits, and are rounded once.
+START_TEST(subnormals_are_rounded_at_their_last_bit)
+{
+    stream s = stream_of_seed(SEED);
+    for (int i = 0; i < (int)suite_share(CASES); i++) {
+        const int64_t m = (int64_t)(stream_bits(&s) >> stream_int(&s, 11, 63));
+        const int side = stream_int(&s, -1, 1);
+        brink_dyadic x, little, y;
+        brink_dyadic_integer(&x, 2 * m + 1, -1075);
+        brink_dyadic_integer(&little, side, -1075 - stream_int(&s, 1, 200));
+        brink_dyadic_add(&y, &x, &little);
+        const int64_t right = m + (side > 0 || (side == 0 && m % 2 == 1));
+        const double got = brink_dyadic_round(&y);
+        ck_assert_msg(got == ldexp((double)right, -1074),
+                      "%lld + 1/2, side %d: got %a", (long long)m, side, got);
+    }
+}
+END_TEST
+
 START_TEST(leading_parts_are_off_by_less_than_2_uu)
 {
     stream s = stream_of_seed(SEED);
@@ -105,6 +148,17 @@ START_TEST(leading_parts_are_off_by_less_than_2_uu)
         ck_assert_double_lt(fabs(mpfr_get_d(z, N)), 0x1p-105);
     }
     mpfr_clears(a, z, (mpfr_ptr)0);
+}
+END_TEST
+
+START_TEST(nothing_has_no_leading_part)
+{
+    brink_dyadic nothing;
+    int e = 1;
+    brink_dyadic_integer(&nothing, 0, 5);
+    const dd m = brink_dyadic_leading(&nothing, &e);
+    ck_assert(m.hi == 0 && m.lo == 0 && e == 0);
+    ck_assert(brink_dyadic_round(&nothing) == 0);
 }
 END_TEST
 
@@ -138,6 +192,9 @@ int main(void)
 {
     return RUN_SUITE("dyadic", 300, sums_differences_and_products_are_exact,
                      rounding_is_to_nearest_even_at_any_magnitude,
+                     any_bit_below_a_midpoint_is_seen,
+                     subnormals_are_rounded_at_their_last_bit,
                      leading_parts_are_off_by_less_than_2_uu,
+                     nothing_has_no_leading_part,
                      the_largest_and_the_smallest_product_fit_together);
 }

@@ -62,21 +62,24 @@ END_TEST
 START_TEST(equality_is_decided_where_double_double_cannot)
 {
     // m1 = 2 i (i + j), m2 = 2 j (i + j): mu = 2 i j, but not so in
-    // double-double, where j / (i + j) comes first.  v = k r, so
-    // mu b^2 / (2 r.r) = i j k^2 r.r.
+    // double-double, where j / (i + j) comes first.  v = k r, and both move as
+    // they like, so mu b^2 / (2 r.r) = i j k^2 r.r.
     stream s = stream_of_seed(SEED);
     for (int c = 0; c < (int)suite_share(IMPACTS); c++) {
         double i = stream_int(&s, 1, 1 << 8), j = stream_int(&s, 1, 1 << 8);
         double m1 = 2 * i * (i + j), m2 = 2 * j * (i + j);
-        double k = stream_int(&s, 1, 1 << 8), r[3], rr = 0, virial;
+        double k = stream_int(&s, 1, 1 << 8), r[3], both[3], rr = 0, virial;
         for (int axis = 0; axis < 3; axis++) {
             r[axis] = stream_int(&s, 1, 1 << 9);
+            both[axis] = stream_int(&s, -(1 << 9), 1 << 9);
             rr += r[axis] * r[axis];
         }
         for (int ulps = -1; ulps <= 1; ulps++) {
-            double rise = i * j * k * k * rr, v1[3], v2[3] = {0, 0, 0};
-            for (int axis = 0; axis < 3; axis++)
-                v1[axis] = k * r[axis];
+            double rise = i * j * k * k * rr, v1[3], v2[3];
+            for (int axis = 0; axis < 3; axis++) {
+                v2[axis] = both[axis];
+                v1[axis] = both[axis] + k * r[axis];
+            }
             rise = ulps < 0   ? nextafter(rise, 0)
                    : ulps > 0 ? nextafter(rise, DBL_MAX)
                               : rise;

@@ -5,6 +5,8 @@
 #include "transcribed/impulse_crossing_v.h"
 #include "transcribed/impulse_decision_v.h"
 #include "transcribed/impulse_kick_v.h"
+#include "transcribed/impulse_payment_v.h"
+#include "transcribed/impulse_rim_v.h"
 #include "transcribed/impulse_sums_v.h"
 
 #define BRINK_PATH transcribed // its functions beside the library's
@@ -32,6 +34,13 @@ static void any_pair(stream *s, pair *p, double rise)
 #define SPEEDS(p)  VECTOR((p).v1), VECTOR((p).v2)
 #define MASSES(p)  (p).m1, (p).m2
 #define NUMBERS(p) LENGTHS(p), SPEEDS(p), MASSES(p)
+
+/** Some part of a speed's energy, or nothing, or what is too much to be paid. */
+static double any_owed(stream *s, const pair *p, double speed)
+{
+    const double energy = p->mu.hi * speed * speed / (2 * p->rr.hi);
+    return stream_int(s, 0, 7) ? stream_scaled(s, -60, -16) * energy : 0;
+}
 
 START_TEST(a_pair_is_that_of_the_proof)
 {
@@ -105,6 +114,22 @@ START_TEST(a_kick_is_that_of_the_proof)
 }
 END_TEST
 
+START_TEST(a_payment_is_that_of_the_proof)
+{
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        const double speed = fabs(stream_scaled(&s, -20, 20));
+        const double owed = p.owed = any_owed(&s, &p, speed);
+        SAME(impulse_payment_v_payment(p.rr.hi, p.mu.hi, owed, speed),
+             pair_pay(&p, speed), p.rr.hi, p.mu.hi, owed, speed);
+        SAME(impulse_payment_v_left_owed(p.rr.hi, p.mu.hi, owed, speed), p.owed,
+             p.rr.hi, p.mu.hi, owed, speed);
+    }
+}
+END_TEST
+
 /** Velocities 0 in and out: what is changed is seen. */
 static void same_change(const pair *given, dd change)
 {
@@ -127,11 +152,16 @@ START_TEST(a_core_is_that_of_the_proof)
     {
         pair p;
         any_pair(&s, &p, 0);
-        if (!(p.b.hi < 0)) // nothing to do
+        const enum brink_direction way =
+            p.b.hi < 0 ? BRINK_INWARD : BRINK_OUTWARD;
+        if (p.b.hi == 0) // nothing to do
             continue;
-        const dd change = reflection(&p, BRINK_INWARD);
-        SAME_DD(impulse_core_v_reflection(LENGTHS(p), SPEEDS(p)), change,
-                NUMBERS(p));
+        const double owed = p.owed = any_owed(&s, &p, p.b.hi);
+        const dd change = reflection(&p, way);
+        SAME_DD(impulse_core_v_reflection(NUMBERS(p), way, owed), change,
+                NUMBERS(p), way, owed);
+        SAME(impulse_core_v_left(NUMBERS(p), way, owed), p.owed, NUMBERS(p), way,
+             owed);
         same_change(&p, change);
     }
 }
@@ -145,14 +175,68 @@ START_TEST(a_crossing_is_that_of_the_proof)
         double rise;
         const enum brink_direction way = any_step(&s, &p, &rise);
         const crossing c = crossing_of(&p, ldexp(rise, p.em + 2 * p.ev), way);
+        const double owed = p.owed = any_owed(&s, &p, sqrt(fabs(c.rest.hi)));
         const dd change = crossed(&p, &c, way);
         const dd told =
-            impulse_crossing_v_crossed(NUMBERS(p), way, rise, 0x1p900);
-        SAME(told.hi + 0.0, change.hi + 0.0, NUMBERS(p), way, rise); // 0 for -0
-        SAME(told.lo + 0.0, change.lo + 0.0, NUMBERS(p), way, rise);
+            impulse_crossing_v_crossed(NUMBERS(p), way, rise, 0x1p900, owed);
+        // + 0.0: 0 for -0
+        SAME(told.hi + 0.0, change.hi + 0.0, NUMBERS(p), way, rise, owed);
+        SAME(told.lo + 0.0, change.lo + 0.0, NUMBERS(p), way, rise, owed);
+        SAME(impulse_crossing_v_left(NUMBERS(p), way, rise, 0x1p900, owed),
+             p.owed, NUMBERS(p), way, rise, owed);
         if (change.hi != 0)
             same_change(&p, change);
     }
+}
+END_TEST
+
+/** With a speed along r of some parts of the rim's: what any_pair() lacks. */
+static void slow_down(stream *s, pair *p)
+{
+    double vv = 0;
+    for (int k = 0; k < 3; k++)
+        vv += (p->v1[k] - p->v2[k]) * (p->v1[k] - p->v2[k]);
+    const double speed = stream_scaled(s, -40, -23) * sqrt(p->rr.hi * vv);
+    double v1[3], v2[3];
+    for (int k = 0; k < 3; k++) {
+        v1[k] = p->v1[k] + (speed - p->b.hi) / p->rr.hi * p->r[k];
+        v2[k] = p->v2[k];
+    }
+    pair_make(p, p->r, p->m1, p->m2, 0, v1, v2, 0);
+}
+
+START_TEST(a_rim_rule_is_that_of_the_proof)
+{
+    uint64_t turned = 0, all = suite_share(TRANSCRIPTION_INPUTS);
+    EACH_INPUT(s)
+    {
+        pair p;
+        any_pair(&s, &p, 0);
+        slow_down(&s, &p);
+        double owed = stream_scaled(&s, -60, 0), v1[3], v2[3], want1[3], want2[3];
+        for (int k = 0; k < 3; k++) {
+            v1[k] = want1[k] = p.v1[k];
+            v2[k] = want2[k] = p.v2[k];
+        }
+        pair_make(&p, p.r, p.m1, p.m2, 0, v1, v2, owed);
+        const int turns =
+            fabs(p.b.hi) < impulse_rim_v_most(LENGTHS(p), SPEEDS(p)).hi;
+        if (turns) {
+            const dd w[3] = {impulse_rim_v_t0(LENGTHS(p), SPEEDS(p)),
+                             impulse_rim_v_t1(LENGTHS(p), SPEEDS(p)),
+                             impulse_rim_v_t2(LENGTHS(p), SPEEDS(p))};
+            pair_kick(&p, w, want1, want2);
+            turned++;
+        }
+        SAME(turns, brink_rim_impulse_balanced(p.r, p.m1, p.m2, v1, v2, &owed),
+             NUMBERS(p));
+        SAME(energy_owed(&p), owed, NUMBERS(p));
+        for (int k = 0; k < 3; k++) {
+            SAME(want1[k], v1[k], NUMBERS(p), k);
+            SAME(want2[k], v2[k], NUMBERS(p), k);
+        }
+    }
+    ck_assert(turned > all / 4 && turned < all);
 }
 END_TEST
 
@@ -160,6 +244,7 @@ int main(void)
 {
     return RUN_SUITE("impulse, transcribed", 120, a_pair_is_that_of_the_proof,
                      a_decision_is_that_of_the_proof, a_kick_is_that_of_the_proof,
-                     a_core_is_that_of_the_proof,
-                     a_crossing_is_that_of_the_proof);
+                     a_payment_is_that_of_the_proof, a_core_is_that_of_the_proof,
+                     a_crossing_is_that_of_the_proof,
+                     a_rim_rule_is_that_of_the_proof);
 }

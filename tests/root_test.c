@@ -58,6 +58,8 @@ START_TEST(roots_are_correctly_rounded)
         set(&a, random_integer(&s, bits), stream_int(&s, -scale, scale));
         set(&b, random_integer(&s, bits), stream_int(&s, -scale, scale));
         set(&c, random_integer(&s, bits), stream_int(&s, -scale, scale));
+        if (i % 8 == 0)
+            set(&b, 0, 0);
         brink_dyadic_mul(&bb, &b.d, &b.d);
         brink_dyadic_mul(&ac, &a.d, &c.d);
         brink_dyadic_sub(&d, &bb, &ac);
@@ -203,6 +205,25 @@ START_TEST(a_root_at_0_is_0)
 }
 END_TEST
 
+START_TEST(roots_that_no_double_tells_apart_are_found)
+{
+    brink_dyadic one, b, bb, d, c; // (x + b)^2 = d
+    brink_dyadic_integer(&one, 1, 0);
+    brink_dyadic_integer(&d, 1, -1400);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        brink_dyadic_integer(&b, sign, 600);
+        brink_dyadic_mul(&bb, &b, &b);
+        brink_dyadic_sub(&c, &bb, &d);
+        for (int which = BRINK_LOWER; which <= BRINK_UPPER; which++) {
+            const double x =
+                brink_dyadic_root(&one, &b, &c, &d, (enum brink_which)which);
+            ck_assert_msg(x == -sign * 0x1p600, "sign %d, which %d: %a", sign,
+                          which, x);
+        }
+    }
+}
+END_TEST
+
 START_TEST(the_edges_of_the_range_round_as_ieee_has_it)
 {
     brink_dyadic x, y;
@@ -230,5 +251,6 @@ int main(void)
         midpoints_go_to_even_and_their_neighbours_to_their_side,
         a_double_root_halfway_between_two_doubles_goes_to_the_even_one,
         two_roots_close_to_a_midpoint_go_to_their_side, a_root_at_0_is_0,
+        roots_that_no_double_tells_apart_are_found,
         the_edges_of_the_range_round_as_ieee_has_it);
 }
