@@ -1,86 +1,54 @@
 // SPDX-License-Identifier: MIT
-// with: -wp-prop @lemma
+// with: -wp-prop @lemma -wp-model Typed+real
 /**
  * What the calendar's heap_settle does to a heap, apart from memory: a hole moves
  * up or down, and is filled.  The slots know their places, and none is lost; and
- * no slot is before the one above it, if that was so but for the hole.  Each
- * lemma is proved of those before it.
+ * no slot is before the one above it, if that was so but for the hole.  And that
+ * the order of the calendar's slots is one.  Each lemma is proved of those before
+ * it.
  */
+#include "calendar_wp.h"
 
-// --- What a heap is ------------------------------------------------------------
+#include "calendar_order_wp.h"
 
-/*@ axiomatic Heap {
-  @   type heap; // of slots, each with a place, and an order among them
-  @   logic integer slots(heap h);
-  @   logic integer count(heap h);
-  @   logic integer at(heap h, integer position);
-  @   logic integer place(heap h, integer slot);
-  @   predicate before(heap h, integer x, integer y);
-  @ }
-  @
-  @ predicate has_an_order(heap h) =
-  @     (\forall integer x, y; 0 <= x < slots(h) && 0 <= y < slots(h) &&
-  @         before(h, x, y) ==> !before(h, y, x)) &&
-  @     (\forall integer x, y, z; 0 <= x < slots(h) && 0 <= y < slots(h) &&
-  @         0 <= z < slots(h) && !before(h, y, x) && !before(h, z, y) ==>
-  @         !before(h, z, x));
-  @
-  @ // Position `up` is the one above p.
-  @ predicate above(integer up, integer p) =
-  @     0 <= up && (p == 2 * up + 1 || p == 2 * up + 2);
-  @
-  @ // The slots know their places, but for the position where there is a hole.
-  @ predicate is_indexed(heap h, integer hole) =
-  @     \forall integer p; 0 <= p < count(h) && p != hole ==>
-  @         0 <= at(h, p) < slots(h) && place(h, at(h, p)) == p;
-  @ predicate in_heap(heap h, integer hole, integer slot) =
-  @     0 <= place(h, slot) < count(h) && place(h, slot) != hole &&
-  @     at(h, place(h, slot)) == slot;
-  @
-  @ // No slot is before the one above it, nor across the hole.
-  @ predicate is_ordered(heap h, integer hole) =
-  @     (\forall integer up, p; above(up, p) && p < count(h) && p != hole &&
-  @         up != hole ==> !before(h, at(h, p), at(h, up))) &&
-  @     (\forall integer up, p; above(up, hole) && above(hole, p) &&
-  @         p < count(h) ==> !before(h, at(h, p), at(h, up)));
-  @
-  @ predicate is_after_above(heap h, integer hole, integer slot) =
-  @     \forall integer up; above(up, hole) ==> !before(h, slot, at(h, up));
-  @ predicate is_before_below(heap h, integer hole, integer slot) =
-  @     \forall integer p; above(hole, p) && p < count(h) ==>
-  @         !before(h, at(h, p), slot);
-  @
-  @ // There is a hole, which the slot has yet to be put in.
-  @ predicate has_hole(heap h, integer hole, integer slot) =
-  @     0 <= hole < count(h) <= slots(h) && 0 <= slot < slots(h) &&
-  @     has_an_order(h) && is_indexed(h, hole) && is_ordered(h, hole) &&
-  @     !in_heap(h, hole, slot);
-  @
-  @ predicate same_order(heap a, heap b) =
-  @     slots(a) == slots(b) && count(a) == count(b) &&
-  @     \forall integer x, y; 0 <= x < slots(a) && 0 <= y < slots(a) ==>
-  @         (before(a, x, y) <==> before(b, x, y));
-  @
-  @ predicate is_put(heap a, heap b, integer position, integer slot) =
-  @     same_order(a, b) && at(b, position) == slot &&
-  @     place(b, slot) == position &&
-  @     (\forall integer p; 0 <= p < slots(a) && p != position ==>
-  @         at(b, p) == at(a, p)) &&
-  @     (\forall integer s; 0 <= s < slots(a) && s != slot ==>
-  @         place(b, s) == place(a, s));
-  @ predicate is_moved(heap a, heap b, integer hole, integer from) =
-  @     0 <= from < count(a) && from != hole && is_put(a, b, hole, at(a, from));
-  @
-  @ // No slot of the heap is lost, none has come, and no other has another place.
-  @ predicate none_lost(heap a, heap b, integer was, integer hole, integer but) =
-  @     \forall integer s; 0 <= s < slots(a) && s != but ==>
-  @         (in_heap(a, was, s)
-  @              ? in_heap(b, hole, s)
-  @              : !in_heap(b, hole, s) && place(b, s) == place(a, s));
-  @
-  @ // From a to b, and what has been so all the time.
-  @ predicate has_become(heap a, heap b, integer was, integer hole, integer but) =
-  @     same_order(a, b) && none_lost(a, b, was, hole, but);
+// --- The order is kept where the entries are -----------------------------------
+
+/*@ lemma entries_kept{A, B}: \forall brink_entry *a, *b, *c, *d;
+  @     same_entry{A, B}(a, c) && same_entry{A, B}(b, d) ==>
+  @     (entry_before{A}(a, b) <==> entry_before{B}(c, d));
+  @ lemma slots_kept{A, B}: \forall brink_calendar *c, integer x, y;
+  @     same_entries{A, B}(c) && 0 <= x < \at(c->slots, A) &&
+  @     0 <= y < \at(c->slots, A) ==>
+  @     (slot_before{A}(c, x, y) <==> slot_before{B}(c, x, y));
+  @ lemma order_kept{A, B}: \forall brink_calendar *c, integer x, y;
+  @     same_entries{A, B}(c) && 0 <= x < \at(c->slots, A) &&
+  @     0 <= y < \at(c->slots, A) ==>
+  @     (before(heap_of{A}(c), x, y) <==> before(heap_of{B}(c), x, y));
+  @*/
+
+#include "calendar_kept_wp.h"
+
+// --- The order of entries, and of slots ----------------------------------------
+
+/*@ lemma one_way: \forall brink_instant a, b;
+  @     instant_before(a, b) ==> !instant_before(b, a);
+  @ lemma onward: \forall brink_instant a, b, c;
+  @     !instant_before(b, a) && !instant_before(c, b) ==> !instant_before(c, a);
+  @ lemma kinds_one_way{L}: \forall brink_entry *a, *b;
+  @     kind_before(a, b) ==> !kind_before(b, a);
+  @ lemma kinds_onward{L}: \forall brink_entry *a, *b, *c;
+  @     !kind_before(b, a) && !kind_before(c, b) ==> !kind_before(c, a);
+  @ lemma entries_one_way{L}: \forall brink_entry *a, *b;
+  @     entry_before(a, b) ==> !entry_before(b, a);
+  @ lemma entries_onward{L}: \forall brink_entry *a, *b, *c;
+  @     !entry_before(b, a) && !entry_before(c, b) ==> !entry_before(c, a);
+  @ lemma slots_one_way{L}: \forall brink_calendar *c, integer x, y;
+  @     slot_before(c, x, y) ==> !slot_before(c, y, x);
+  @ lemma slots_onward{L}: \forall brink_calendar *c, integer x, y, z;
+  @     !slot_before(c, y, x) && !slot_before(c, z, y) ==> !slot_before(c, z, x);
+  @ lemma one_is_before{L}: \forall brink_calendar *c, integer x, y;
+  @     x == y || slot_before(c, x, y) || slot_before(c, y, x);
+  @ lemma in_order{L}: \forall brink_calendar *c; has_an_order(heap_of{L}(c));
   @*/
 
 // --- What follows when its hole moves, or is filled ----------------------------
@@ -134,10 +102,6 @@
   @     above(hole, down) && has_hole(a, hole, slot) &&
   @     is_moved(a, b, hole, down) && before(a, at(a, down), slot) ==>
   @     is_after_above(b, down, slot);
-  @ lemma before_both: \forall heap h, integer hole, down, slot;
-  @     has_hole(h, hole, slot) && above(hole, down) && down < count(h) &&
-  @     is_before_below(h, hole, at(h, down)) && !before(h, at(h, down), slot) ==>
-  @     is_before_below(h, hole, slot);
   @ lemma filled_index: \forall heap a, b, integer hole, slot;
   @     has_hole(a, hole, slot) && is_put(a, b, hole, slot) ==> is_indexed(b, -1);
   @ lemma filled_in: \forall heap a, b, integer hole, slot;
@@ -146,11 +110,9 @@
   @ lemma filled_none_lost: \forall heap a, b, integer hole, slot;
   @     has_hole(a, hole, slot) && is_put(a, b, hole, slot) ==>
   @     has_become(a, b, hole, -1, slot);
-  @ lemma filled_in_order: \forall heap a, b, integer hole, slot;
-  @     has_hole(a, hole, slot) && is_put(a, b, hole, slot) &&
-  @     is_after_above(a, hole, slot) && is_before_below(a, hole, slot) ==>
-  @     is_ordered(b, -1);
   @*/
+
+#include "calendar_moves_wp.h"
 
 // --- And of the order ----------------------------------------------------------
 

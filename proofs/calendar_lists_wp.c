@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// with: -wp-fct heap_put,heap_settle,heap_add,list_add,list_remove
+// with: -wp-fct heap_put,first_below,heap_settle,heap_add,list_add,list_remove
 // with: -wp-fct take_out,file_under,there_is_room
 /**
  * What the calendar's functions do to its lists, as compiled, slot by slot.  A
@@ -13,7 +13,7 @@
 #include "../sim/calendar.h"
 #include "libm_wp.h"
 
-// --- The heap, as in calendar_wp.c ---------------------------------------------
+// --- The heap, but for its order, which is calendar_wp.c's -----------------------
 
 /*@ predicate is_calendar(brink_calendar *c) =
   @     \valid(c) && c->slots < 0x80000000 && c->heap_count <= c->slots &&
@@ -57,6 +57,13 @@
   @     \at(c->slots, New) == \at(c->slots, Old) &&
   @     \at(c->heap_count, New) == \at(c->heap_count, Old) &&
   @     none_lost{Old, New}(c, before, hole, -1);
+  @
+  @ // What heap_settle's loops keep of the order: here nothing.
+  @ predicate can_settle(brink_calendar *c, integer position, integer slot) =
+  @     \true;
+  @ logic integer heap_of(brink_calendar *c) = 0;
+  @ predicate is_after_above(integer heap, integer position, integer slot) =
+  @     \true;
   @*/
 
 /*@ requires is_calendar(c);
@@ -89,6 +96,16 @@ static int earlier(const brink_calendar *c, uint32_t a, uint32_t b);
   @     none_lost{Pre, Post}(c, position, -1, slot);
   @*/
 static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot);
+
+/*@ requires is_calendar(c) && is_indexed(c, position);
+  @ requires 2 * position + 1 < c->heap_count;
+  @ terminates \true;
+  @ exits \false;
+  @ assigns \nothing;
+  @ ensures \result == 2 * position + 1 || \result == 2 * position + 2;
+  @ ensures \result < c->heap_count;
+  @*/
+static uint32_t first_below(const brink_calendar *c, uint32_t position);
 
 /*@ requires has_hole(c, position, slot);
   @ terminates \true;

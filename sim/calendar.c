@@ -70,10 +70,20 @@ static void heap_put(brink_calendar *c, uint32_t position, uint32_t slot)
     c->filed[slot].place = position;
 }
 
+// Of the one or two positions below, that of the earlier slot.
+static uint32_t first_below(const brink_calendar *c, uint32_t position)
+{
+    const uint32_t left = 2 * position + 1, right = left + 1;
+    return right < c->heap_count && earlier(c, c->heap[right], c->heap[left])
+               ? right
+               : left;
+}
+
 // Moves the hole at `position` to where `slot` belongs, and fills it.
 static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 {
-    /*@ loop invariant
+    /*@ loop invariant can_settle(c, position, slot);
+      @ loop invariant
       @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
       @ loop assigns position, c->heap[0 .. \at(c->heap_count, Pre) - 1],
       @     c->filed[0 .. \at(c->slots, Pre) - 1].place;
@@ -82,18 +92,15 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
         heap_put(c, position, c->heap[(position - 1) / 2]);
         position = (position - 1) / 2;
     }
-    /*@ loop invariant
-      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot);
+    /*@ loop invariant can_settle(c, position, slot);
+      @ loop invariant
+      @     a_hole_moved{Pre, Here}(c, \at(position, Pre), position, slot) &&
+      @     is_after_above(heap_of(c), position, slot);
       @ loop assigns position, c->heap[0 .. \at(c->heap_count, Pre) - 1],
       @     c->filed[0 .. \at(c->slots, Pre) - 1].place;
       @ loop variant c->heap_count - position; */
-    for (;;) {
-        uint32_t child = 2 * position + 1;
-        if (child >= c->heap_count)
-            break;
-        if (child + 1 < c->heap_count &&
-            earlier(c, c->heap[child + 1], c->heap[child]))
-            child++;
+    while (2 * position + 1 < c->heap_count) {
+        const uint32_t child = first_below(c, position);
         if (!earlier(c, c->heap[child], slot))
             break;
         heap_put(c, position, c->heap[child]);
