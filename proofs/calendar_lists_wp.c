@@ -13,7 +13,7 @@
 #include "../sim/calendar.h"
 #include "libm_wp.h"
 
-// --- The heap, but for its order, which is the subject of calendar_wp.c -----------
+// --- The heap, but for its order, which is calendar_wp.c's ---------------------
 
 /*@ predicate is_calendar(brink_calendar *c) =
   @     \valid(c) && c->slots < 0x80000000 && c->heap_count <= c->slots &&
