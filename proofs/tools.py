@@ -7,6 +7,8 @@ no mutant is taken for rejected that is only badly written.  What options a file
 itself, in a line `// with: OPTIONS` (`; with:`, `# with:`, `(* with: ... *)`); a mutant may say
 others.
 """
+import collections
+import hashlib
 import os
 import pathlib
 import re
@@ -14,6 +16,8 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
+import threading
 
 TRANSCRIBE = pathlib.Path(__file__).parent.parent / "tests/transcribe.py"
 LONGEST = 3600  # seconds, for one proof, on a machine that has other things to do as well
@@ -50,6 +54,34 @@ def coqc(part, build):
     return status, said
 
 
+class Modules:
+    """What Coq makes of a proof's parts, one after the other.  Claims share parts, and their
+    mutants most of them: what was made in this run of the same text after the same parts is
+    taken again."""
+    store = tempfile.TemporaryDirectory()
+    locks = collections.defaultdict(threading.Lock)
+
+    def __init__(self, build):
+        self.build, self.digest = build, hashlib.sha1()
+
+    def add(self, name, text):
+        """Its status and what was said."""
+        self.digest.update(f"{name}\n{text}".encode())
+        key = self.digest.hexdigest()
+        (self.build / name).write_text(text)
+        made = pathlib.Path(self.store.name) / key
+        with self.locks[key]:
+            if made.exists():
+                shutil.copy(made / f"{name}o", self.build)
+                return 0, (made / "said").read_text()
+            status, said = coqc(name, self.build)
+            if status == 0:
+                made.mkdir()
+                shutil.copy(self.build / f"{name}o", made)
+                (made / "said").write_text(said)
+            return status, said
+
+
 def rests_on_axioms_alone(said):
     """Whether what Print Assumptions says is no more than the real numbers and classical logic."""
     rests_on = re.findall(r"^([\w.]+)(?= :|$)", said.partition("Axioms:")[2], re.MULTILINE)
@@ -61,10 +93,9 @@ def coq(tree, build, file, options):
     of classical logic."""
     theorems = re.findall(r"^Theorem (\w+)", file.read_text(), re.MULTILINE)
     asked = f"Definition all_of_them := ({', '.join(theorems)}).\nPrint Assumptions all_of_them.\n"
-    said = ""
+    said, modules = "", Modules(build)
     for part in [tree / "proofs" / p for p in options] + [file]:
-        (build / part.name).write_text(part.read_text() + (asked if part == file else ""))
-        status, said = coqc(part.name, build)
+        status, said = modules.add(part.name, part.read_text() + (asked if part == file else ""))
         if status:
             return False, f"{part.name}: {said}"
     return bool(theorems) and rests_on_axioms_alone(said), said
@@ -81,13 +112,12 @@ def refuted(tree, changed, build, file, refutation):
     """Whether a changed file says what is false, and not only its proof is broken.  REFUTATION is
     Coq: it names a theorem (`refutes: NAME`) and proves, as `is_false`, that what it says now has
     a counterexample.  It may rest on what stands before the change and not on what comes after."""
-    is_changed = False
+    is_changed, modules = False, Modules(build)
     for part in [tree / "proofs" / p for p in options_of(file)] + [tree / "proofs" / file.name]:
         text, before = (changed / "proofs" / part.name).read_text(), part.read_text()
         start = 0 if is_changed else len(os.path.commonprefix([text, before]))
         is_changed = is_changed or text != before
-        (build / part.name).write_text(without_proofs(text, start))
-        status, said = coqc(part.name, build)
+        status, said = modules.add(part.name, without_proofs(text, start))
         if status:
             raise Unread(said)
     name = re.search(r"refutes: (\w+)", refutation.read_text())[1]
@@ -95,8 +125,7 @@ def refuted(tree, changed, build, file, refutation):
              "is_false.\nPrint Assumptions refuted.\n")
     for part in [refutation.parent / p for p in options_of(refutation)] + [refutation]:
         module = f"{part.stem.replace('.', '_').replace('-', '_')}.v"
-        (build / module).write_text(part.read_text() + (asked if part == refutation else ""))
-        status, said = coqc(module, build)
+        status, said = modules.add(module, part.read_text() + (asked if part == refutation else ""))
         if status:
             return False, said
     return rests_on_axioms_alone(said), said
