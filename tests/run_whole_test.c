@@ -31,6 +31,8 @@ START_TEST(a_run_takes_its_system_over)
     ck_assert(run.energy_begin < run.kinetic_begin); // some are in wells
     ck_assert_mem_eq(run.momentum_begin, momentum, sizeof momentum);
     ck_assert(brink_run_energy(&run) == run.energy_begin);
+    for (uint32_t i = 0; i < run.system.count; i++) // all wait for something
+        ck_assert(run.calendar.entry[i].when.epoch != INT64_MAX);
     brink_run_destroy(&run);
     static const brink_run nothing;
     ck_assert_mem_eq(&run, &nothing, sizeof run);
