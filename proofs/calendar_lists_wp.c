@@ -10,22 +10,11 @@
  * filed where the time of its entry says: in the list of its day, in that of the
  * later years, in the heap or nowhere.
  */
-#include "../sim/calendar.h"
-#include "libm_wp.h"
+#include "calendar_memory_wp.h"
 
 // --- The heap, but for its order, which is calendar_wp.c's ---------------------
 
-/*@ predicate is_calendar(brink_calendar *c) =
-  @     \valid(c) && c->slots < 0x80000000 && c->heap_count <= c->slots &&
-  @     c->days <= 0x40000000 &&
-  @     \valid_read(c->entry + (0 .. c->slots - 1)) &&
-  @     \valid(c->filed + (0 .. c->slots)) &&
-  @     \valid(c->heap + (0 .. c->slots - 1)) &&
-  @     \valid(c->first + (0 .. c->days)) &&
-  @     \separated(c, c->entry + (0 .. c->slots - 1), c->filed + (0 .. c->slots),
-  @                c->heap + (0 .. c->slots - 1), c->first + (0 .. c->days));
-  @
-  @ predicate is_indexed(brink_calendar *c, integer hole) =
+/*@ predicate is_indexed(brink_calendar *c, integer hole) =
   @     \forall integer p; 0 <= p < c->heap_count && p != hole ==>
   @         c->heap[p] < c->slots && c->filed[c->heap[p]].place == p;
   @

@@ -2,22 +2,11 @@
 /**
  * The calendar in memory, and the heap that it is.
  */
-#include "../sim/calendar.h"
-#include "libm_wp.h"
+#include "calendar_memory_wp.h"
 
 #include "calendar_heap_wp.h"
 
-/*@ predicate is_calendar(brink_calendar *c) =
-  @     \valid(c) && c->slots < 0x80000000 && c->heap_count <= c->slots &&
-  @     c->days <= 0x40000000 &&
-  @     \valid_read(c->entry + (0 .. c->slots - 1)) &&
-  @     \valid(c->filed + (0 .. c->slots)) &&
-  @     \valid(c->heap + (0 .. c->slots - 1)) &&
-  @     \valid(c->first + (0 .. c->days)) &&
-  @     \separated(c, c->entry + (0 .. c->slots - 1), c->filed + (0 .. c->slots),
-  @                c->heap + (0 .. c->slots - 1), c->first + (0 .. c->days));
-  @
-  @ predicate has_times(brink_calendar *c) =
+/*@ predicate has_times(brink_calendar *c) =
   @     \forall integer s; 0 <= s < c->slots ==>
   @         \is_finite(c->entry[s].when.offset);
   @
