@@ -213,6 +213,19 @@ START_TEST(units_of_time_beyond_all_doubles_give_0_or_infinity)
 }
 END_TEST
 
+/* The square of a radius is infinite, or a squared length and it are in range as
+ * a product, but not one by one. */
+START_TEST(radii_of_another_size_than_their_pairs_are_answered)
+{
+    for (int way = -1; way <= 1; way += 2) {
+        const pair_case in = {{1, 0.5, 0.25}, {way, 0.75, 0.5}, 0x1p600};
+        const pair_case out = {{0x1p450, 0, 0}, {way * 0x1p100, 0, 0}, 0x1p-450};
+        keep("within 2^600", 0, &in);
+        keep("without 2^-450", 0, &out);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("event_time_fast");
@@ -222,6 +235,7 @@ int main(void)
                         PAIR_FAMILIES);
     tcase_add_test(all, fast_times_put_the_hard_cases_on_the_surface);
     tcase_add_test(all, units_of_time_beyond_all_doubles_give_0_or_infinity);
+    tcase_add_test(all, radii_of_another_size_than_their_pairs_are_answered);
     suite_add_tcase(suite, all);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);
