@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the filters and the fast paths end: on this side of a limit a pair is told,
-// on the other it comes to the slow path.  A limit is what a proof or a bound in
-// kernels/event_time*.h allows; one that is drawn narrower costs time, one that is
-// drawn wider takes for certain what need not be.
+// Where the filters and the fast paths end: on this side of a limit a pair is
+// told, on the other it comes to the slow path.  A limit is what a proof or a
+// bound in kernels/event_time*.h allows; one that is drawn narrower costs time,
+// one that is drawn wider takes for certain what need not be.
 #include "counted_times.h"
 #include "pair.h"
 #include "suite.h"
@@ -40,7 +40,7 @@ static void told_beyond(time_of *kernel, pair_of *make, double limit, double pas
 
 static const double up = 1.25, down = 0.8;
 
-// --- Signs ---------------------------------------------------------------------
+// --- Signs --------------------------------------------------------------------
 //
 // Q = a R is at hand as it is written down here, u is 2^-53.
 
@@ -122,7 +122,7 @@ START_TEST(surfaces_are_told_apart_from_when_the_gap_is_more_than_its_error)
 }
 END_TEST
 
-// --- Discriminants ---------------------------------------------------------------
+// --- Discriminants ------------------------------------------------------------
 
 /** d = 1, Q = x^2 + 2.125. */
 static pair_case narrow(double x)
@@ -147,7 +147,7 @@ START_TEST(pairs_that_meet_are_told_when_d_is_more_than_its_error)
 }
 END_TEST
 
-// --- The range -------------------------------------------------------------------
+// --- The range ----------------------------------------------------------------
 
 static pair_case small_hit(double sigma)
 {
@@ -225,7 +225,7 @@ START_TEST(times_are_told_to_the_last_bit_when_they_have_all_their_bits)
 }
 END_TEST
 
-// --- Passing by ------------------------------------------------------------------
+// --- Passing by ---------------------------------------------------------------
 
 /** b = x and a c = 0.75, but for x^2. */
 static pair_case passing(double x)
@@ -263,7 +263,7 @@ START_TEST(closest_approaches_are_told_when_the_rate_is_more_than_its_error)
 }
 END_TEST
 
-// --- What needs no radius, and no range --------------------------------------------
+// --- What needs no radius, and no range ---------------------------------------
 
 START_TEST(what_parts_or_passes_by_is_told_of_points_as_well)
 {

@@ -165,8 +165,8 @@ START_TEST(points_are_told_at_a_glance)
 }
 END_TEST
 
-/* One glance has nothing to say of the first block, and is second from then on; it
- * alone knows the pairs of the next. */
+/* One glance has nothing to say of the first block, and is second from then on;
+ * it alone knows the pairs of the next. */
 START_TEST(both_glances_are_taken_whichever_is_first)
 {
     const pair_case hit = {{3, 0.5, 0}, {-1, 0, 0}, 1};

@@ -70,7 +70,7 @@ START_TEST(what_no_filter_can_tell_comes_to_slow_paths)
 }
 END_TEST
 
-// --- Units -----------------------------------------------------------------------
+// --- Units --------------------------------------------------------------------
 
 static time_of *const all_kernels[] = {
     brink_intersection_time,    brink_intersection_time_fast,
@@ -113,7 +113,7 @@ static void keep_in_units(const char *name, const pair_case *p, int kernel,
 }
 
 /* Every bound is relative to what the pair's own numbers make: far from the ends
- * of the range no unit makes a difference, not to one bit, nor to the way there. */
+ * of the range no unit makes a difference, not to a bit, nor to the way there. */
 START_TEST(units_of_powers_of_two_change_no_bit_and_no_way)
 {
     static const int units[][2] = {{60, 0}, {-60, 0}, {0, 60}, {0, -60}};

@@ -50,7 +50,7 @@ START_TEST(sums_in_lanes_are_the_sums)
 }
 END_TEST
 
-/** Whether R is r.r + sigma^2, to the roundings of four additions and products. */
+/** Whether R is r.r + sigma^2, but for some roundings. */
 static int is_size(double size, const pair_case *p)
 {
     const double direct = dot_rounded(p->r, p->r) + p->sigma * p->sigma;
