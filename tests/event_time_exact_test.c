@@ -71,6 +71,21 @@ START_TEST(times_in_long_units_come_to_exact_numbers_seldom)
 }
 END_TEST
 
+/* Scaled by the largest of them, whichever that is, no number overflows. */
+START_TEST(pairs_of_any_mixture_of_sizes_are_told)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        pair_case leaving = {.sigma = 0x1p-40}, inside = {.sigma = 0x1p560};
+        leaving.r[axis] = 0x1p1000;
+        leaving.v[axis] = 4;
+        inside.r[axis] = 0x1p-40;
+        inside.v[axis] = -4;
+        expect(brink_intersection_time, leaving, 0);
+        expect(brink_intersection_time, inside, 0);
+    }
+}
+END_TEST
+
 // Which coordinates r.v cancels in.
 static int first, second, third;
 
@@ -249,6 +264,7 @@ int main(void)
 {
     return RUN_SUITE("event_time_exact", 60,
                      times_in_long_units_come_to_exact_numbers_seldom,
+                     pairs_of_any_mixture_of_sizes_are_told,
                      rates_are_told_when_they_are_more_than_their_error,
                      sides_are_told_when_they_are_more_than_their_error,
                      meetings_are_told_when_d_is_more_than_its_error,
