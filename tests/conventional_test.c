@@ -263,9 +263,5 @@ int main(void)
     tcase_add_test(methods, the_same_start_fails_in_the_same_way);
     suite_add_tcase(suite, control);
     suite_add_tcase(suite, methods);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

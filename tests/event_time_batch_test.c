@@ -171,9 +171,5 @@ int main(void)
                    hard_cases_are_the_scalar_kernel_in_a_batch_of_their_like);
     tcase_add_test(all, inputs_may_be_one_array);
     suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

@@ -237,9 +237,5 @@ int main(void)
     tcase_add_test(all, units_of_time_beyond_all_doubles_give_0_or_infinity);
     tcase_add_test(all, radii_of_another_size_than_their_pairs_are_answered);
     suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

@@ -129,9 +129,5 @@ int main(void)
                         sizeof tiers / sizeof *tiers);
     tcase_add_test(all, fast_events_of_small_integers_are_right);
     suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

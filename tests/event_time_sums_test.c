@@ -86,9 +86,5 @@ int main(void)
     tcase_add_loop_test(all, sums_in_lanes_are_the_sums, 0, PAIR_FAMILIES);
     tcase_add_test(all, what_c_may_be_off_by_is_what_is_proved);
     suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

@@ -225,9 +225,5 @@ int main(void)
     tcase_add_test(meaning, a_tie_between_two_doubles_goes_to_the_even_one);
     suite_add_tcase(suite, meaning);
 
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

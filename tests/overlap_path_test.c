@@ -40,9 +40,5 @@ int main(void)
     tcase_add_loop_test(all, overlaps_are_the_same_on_every_path, 0,
                         PAIR_FAMILIES);
     suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

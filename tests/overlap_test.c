@@ -325,9 +325,5 @@ int main(void)
     tcase_add_loop_test(all, all_small_whole_balls_are_right, 0, count);
     tcase_add_loop_test(all, all_small_whole_half_spaces_are_right, 0, count);
     suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

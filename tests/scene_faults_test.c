@@ -2,7 +2,7 @@
 // Scenes with faults: where each is, what is said of it, and how it looks.
 #include "outcome.h"
 #include "scene.h"
-#include <check.h>
+#include "suite.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -386,9 +386,5 @@ int main(void)
     tcase_add_test(tcase, a_mebibyte_of_faults_is_listed_in_part);
     tcase_set_timeout(tcase, 120);
     suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

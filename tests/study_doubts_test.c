@@ -238,9 +238,5 @@ int main(void)
         tcase, a_state_that_is_wrong_when_it_is_looked_at_is_counted_once,
         BRINK_DOUBT_TESTED, BRINK_DOUBT_SYSTEM + 1);
     suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }

@@ -9,7 +9,8 @@
  *         return RUN_SUITE("calendar", 60, empty_has_no_next, ...);
  *     }
  *
- * Each test runs in a process of its own and is given so many seconds.
+ * Each test runs in a process of its own and is given so many seconds.  A suite
+ * of several cases, or of tests in a loop, ends with run_whole_suite.
  */
 #include <check.h>
 #include <stdint.h>
@@ -20,6 +21,16 @@
               sizeof((const TTest *const[]){__VA_ARGS__}) /                      \
                   sizeof(const TTest *))
 
+/** Runs a suite, and frees it: what main returns. */
+static inline int run_whole_suite(Suite *suite)
+{
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}
+
 static inline int run_suite(const char *name, double seconds,
                             const TTest *const *tests, size_t count)
 {
@@ -29,11 +40,7 @@ static inline int run_suite(const char *name, double seconds,
     for (size_t k = 0; k < count; k++)
         tcase_add_test(tcase, tests[k]);
     suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return run_whole_suite(suite);
 }
 
 /** How much of a long test's work is to be done: n, or that part of it which the
