@@ -274,8 +274,9 @@ static const char *heap_is_valid(const brink_calendar *c)
         if (p > 0 && earlier(c, c->heap[p], c->heap[(p - 1) / 2]))
             return "the heap is out of order";
         const brink_instant when = c->entry[c->heap[p]].when;
-        if (when.epoch == c->epoch && day_of(c, when.offset) > c->today)
-            return "a slot of a later day is in the heap";
+        if (when.epoch > c->epoch ||
+            (when.epoch == c->epoch && day_of(c, when.offset) > c->today))
+            return "a slot of a later day or year is in the heap";
     }
     return NULL;
 }

@@ -292,6 +292,9 @@ START_TEST(the_check_sees_what_is_wrong_and_says_so)
     c.entry[filed].when = when;
     c.entry[SLOTS - 1].when = (brink_instant){0, 0.0}; // and is filed nowhere
     expect_fault(&c, "nowhere");
+    c.entry[filed].when.epoch = 1; // as many as are due, but not those
+    expect_fault(&c, "or year is in the heap");
+    c.entry[filed].when = when;
     c.entry[SLOTS - 1].when = BRINK_NEVER;
     const double last = c.entry[c.heap[c.heap_count - 1]].when.offset;
     c.entry[c.heap[c.heap_count - 1]].when.offset = -1;

@@ -205,6 +205,18 @@ START_TEST(a_root_at_0_is_0)
 }
 END_TEST
 
+START_TEST(a_discriminant_far_below_1_is_not_lost_beside_a_b_of_0)
+{
+    brink_dyadic a, zero, c, d; // 2^-1500 (x^2 - 1)
+    brink_dyadic_integer(&a, 1, -1500);
+    brink_dyadic_integer(&zero, 0, 0);
+    brink_dyadic_integer(&c, -1, -1500);
+    brink_dyadic_integer(&d, 1, -3000);
+    ck_assert(brink_dyadic_root(&a, &zero, &c, &d, BRINK_LOWER) == -1);
+    ck_assert(brink_dyadic_root(&a, &zero, &c, &d, BRINK_UPPER) == 1);
+}
+END_TEST
+
 START_TEST(roots_that_no_double_tells_apart_are_found)
 {
     brink_dyadic one, b, bb, d, c; // (x + b)^2 = d
@@ -251,6 +263,7 @@ int main(void)
         midpoints_go_to_even_and_their_neighbours_to_their_side,
         a_double_root_halfway_between_two_doubles_goes_to_the_even_one,
         two_roots_close_to_a_midpoint_go_to_their_side, a_root_at_0_is_0,
+        a_discriminant_far_below_1_is_not_lost_beside_a_b_of_0,
         roots_that_no_double_tells_apart_are_found,
         the_edges_of_the_range_round_as_ieee_has_it);
 }
