@@ -8,6 +8,8 @@
  */
 #include "calendar_memory_wp.h"
 
+#include "calendar_seen_wp.h"
+
 #include "calendar_told_wp.h"
 
 // --- Steps, for those who need no more than what follows of them ---------------
@@ -36,13 +38,19 @@
   @                             integer but)
   @     reads \at(*c, A), \at(c->heap[..], A), \at(c->filed[..], A),
   @         \at(*c, B), \at(c->heap[..], B), \at(c->filed[..], B);
-  @   predicate same_numbers{A, B}(brink_calendar *c)
-  @     reads \at(*c, A), \at(c->filed[..], A), \at(*c, B), \at(c->filed[..], B);
-  @   predicate same_firsts{A, B}(brink_calendar *c)
+  @   predicate same_size{A, B}(brink_calendar *c) reads \at(*c, A), \at(*c, B);
+  @   predicate same_day{A, B}(brink_calendar *c) reads \at(*c, A), \at(*c, B);
+  @   predicate same_entries{A, B}(brink_calendar *c, integer but)
+  @     reads \at(*c, A), \at(c->entry[..], A), \at(*c, B), \at(c->entry[..], B);
+  @   predicate same_heap{A, B}(brink_calendar *c)
+  @     reads \at(*c, A), \at(c->heap[..], A), \at(*c, B), \at(c->heap[..], B);
+  @   predicate same_firsts{A, B}(brink_calendar *c, integer but)
   @     reads \at(*c, A), \at(c->first[..], A), \at(*c, B), \at(c->first[..], B);
-  @   predicate same_nexts{A, B}(brink_calendar *c)
+  @   predicate same_places{A, B}(brink_calendar *c, integer but)
   @     reads \at(*c, A), \at(c->filed[..], A), \at(*c, B), \at(c->filed[..], B);
-  @   predicate same_previous{A, B}(brink_calendar *c)
+  @   predicate same_nexts{A, B}(brink_calendar *c, integer but)
+  @     reads \at(*c, A), \at(c->filed[..], A), \at(*c, B), \at(c->filed[..], B);
+  @   predicate same_previous{A, B}(brink_calendar *c, integer x, integer y)
   @     reads \at(*c, A), \at(c->filed[..], A), \at(*c, B), \at(c->filed[..], B);
   @ }
   @ predicate a_hole_moved{Old, New}(brink_calendar *c, integer before,
@@ -79,7 +87,7 @@ static void take_out(brink_calendar *c, uint32_t slot);
 
 // Trusted: what the product is, as a whole number.
 /*@ requires is_calendar(c);
-  @ requires 0 <= offset && offset * c->days_a_time < c->days;
+  @ requires 0 <= offset && in_days(c->days_a_time, offset) < c->days;
   @ terminates \true;
   @ exits \false;
   @ assigns \nothing;
@@ -109,9 +117,11 @@ static void file_under(brink_calendar *c, uint32_t slot);
 
 /*@ requires is_calendar(c) && are_filed(view_of(c), 0, 0);
   @ requires slot < c->slots && \valid_read(entry);
-  @ requires \separated(entry, c, c->entry + (0 .. c->slots - 1),
-  @     c->filed + (0 .. c->slots), c->heap + (0 .. c->slots - 1),
-  @     c->first + (0 .. c->days - 1));
+  @ requires \base_addr(entry) != \base_addr(c) &&
+  @     \base_addr(entry) != \base_addr(c->entry) &&
+  @     \base_addr(entry) != \base_addr(c->filed) &&
+  @     \base_addr(entry) != \base_addr(c->heap) &&
+  @     \base_addr(entry) != \base_addr(c->first);
   @ requires is_a_time(c, entry->when);
   @ terminates \true;
   @ exits \false;

@@ -7,6 +7,8 @@
  */
 #include "calendar_memory_wp.h"
 
+#include "calendar_seen_wp.h"
+
 #include "calendar_frames_wp.h"
 
 #include "calendar_steps_wp.h"
@@ -69,26 +71,14 @@
 
 // --- The lists -----------------------------------------------------------------
 
-/*@ // Of the first slots that with the highest number in the list of a day.
-  @ logic integer highest(view v, numbering n, integer day, integer end) =
-  @     end <= 0 ? -1
-  @     : filed_at(v, end - 1) == day &&
-  @           (highest(v, n, day, end - 1) < 0 ||
-  @            number(n, highest(v, n, day, end - 1)) < number(n, end - 1))
-  @         ? end - 1 : highest(v, n, day, end - 1);
-  @ predicate is_highest(view v, numbering n, integer day, integer end,
-  @                      integer slot) =
-  @     -1 <= slot < end && (slot >= 0 ==> filed_at(v, slot) == day) &&
-  @     \forall integer s; 0 <= s < end && filed_at(v, s) == day ==>
-  @         slot >= 0 && number(n, s) <= number(n, slot);
-  @*/
+#include "calendar_highest_wp.h"
 
 /*@ ghost
   @ void nobody_is_left(brink_calendar *c, uint32_t day)
   @ {
   @     uint32_t end = 0;
   @     /@ loop invariant end <= c->slots;
-  @        loop invariant \forall numbering n;
+  @        loop invariant \forall numbering n; falls(view_of(c), n) ==>
   @            is_highest(view_of(c), n, day, end,
   @                       highest(view_of(c), n, day, end));
   @        loop assigns end;

@@ -190,4 +190,6 @@
   @     is_slot(v, s) ==> filed_at(v, s) == -2 && epoch_of(v, s) > epoch(v);
   @*/
 
+#include "calendar_highest_wp.h"
+
 #include "calendar_keeps_wp.h"

@@ -22,22 +22,6 @@
   @             : !in_heap{New}(c, hole, s) &&
   @                   \at(c->filed[s].place, New) == \at(c->filed[s].place, Old));
   @
-  @ // All that is not the heap's.
-  @ predicate same_numbers{Old, New}(brink_calendar *c) =
-  @     \at(c->slots, New) == \at(c->slots, Old) &&
-  @     \at(c->days, New) == \at(c->days, Old) &&
-  @     \at(c->today, New) == \at(c->today, Old) &&
-  @     \at(c->epoch, New) == \at(c->epoch, Old);
-  @ predicate same_firsts{Old, New}(brink_calendar *c) =
-  @     \forall integer d; 0 <= d < \at(c->days, Old) ==>
-  @         \at(c->first[d], New) == \at(c->first[d], Old);
-  @ predicate same_nexts{Old, New}(brink_calendar *c) =
-  @     \forall integer s; 0 <= s < \at(c->slots, Old) ==>
-  @         \at(c->filed[s].next, New) == \at(c->filed[s].next, Old);
-  @ predicate same_previous{Old, New}(brink_calendar *c) =
-  @     \forall integer s; 0 <= s < \at(c->slots, Old) ==>
-  @         \at(c->filed[s].previous, New) == \at(c->filed[s].previous, Old);
-  @
   @ predicate a_hole_moved{Old, New}(brink_calendar *c, integer before,
   @                                  integer hole, integer slot) =
   @     has_hole{New}(c, hole, slot) &&

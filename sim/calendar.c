@@ -112,15 +112,23 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 static void heap_add(brink_calendar *c, uint32_t slot)
 {
     //@ ghost there_is_room(c, slot);
-    heap_settle(c, c->heap_count++, slot);
+    const uint32_t end = c->heap_count++;
+    //@ assert same_links{Pre, Here}(c);
+    //@ assert same_ends{Pre, Here}(c);
+    //@ assert same_but_count{Pre, Here}(c, -1);
+    heap_settle(c, end, slot);
 }
 
 static void heap_remove(brink_calendar *c, uint32_t slot)
 {
+    const uint32_t position = c->filed[slot].place;
     const uint32_t last = c->heap[--c->heap_count];
-    if (last != slot)
-        heap_settle(c, c->filed[slot].place, last);
     c->filed[slot].place = NONE;
+    //@ assert same_links{Pre, Here}(c);
+    //@ assert same_ends{Pre, Here}(c);
+    //@ assert same_but_count{Pre, Here}(c, slot);
+    if (last != slot)
+        heap_settle(c, position, last);
 }
 
 static void list_add(brink_calendar *c, uint32_t day, uint32_t slot)
@@ -184,7 +192,9 @@ void brink_calendar_set(brink_calendar *c, uint32_t slot,
                         const brink_entry *entry)
 {
     take_out(c, slot);
+    //@ assert is_a_time(c, entry->when);
     entry_put(c, slot, entry);
+    //@ assert are_filed(view_of(c), slot, slot + 1);
     file_under(c, slot);
 }
 
