@@ -28,10 +28,4 @@ static inline int brink_instant_compare(brink_instant a, brink_instant b);
   @*/
 int brink_entry_compare(const brink_entry *a, const brink_entry *b);
 
-#include "calendar_told_wp.h"
-
-#include "calendar_index_wp.h"
-
-#include "calendar_ghosts_wp.h"
-
 #include "../sim/calendar.c"

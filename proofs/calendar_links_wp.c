@@ -1,195 +1,139 @@
 // SPDX-License-Identifier: MIT
 // with: -wp-prop @lemma
 /**
- * What keeps the calendar as a whole, apart from memory: what its functions are
- * proved by, of the steps that they take (calendar_steps_wp.h) and what is kept
- * (calendar_state_wp.h).  Each lemma is proved of those before it.
+ * What keeps the calendar's lists linked, apart from memory: a slot is added or
+ * taken out, or a list is taken from its day and its slots let go one by one from
+ * the first, which is `loose`, to be filed anew; slots that are not loose stay
+ * linked all the while.  What happens to each link is calendar_lists_wp.c.
  */
-#include "calendar_view_wp.h"
 
-#include "calendar_frames_wp.h"
+// --- What lists are ------------------------------------------------------------
 
-#include "calendar_steps_wp.h"
-
-#include "calendar_state_wp.h"
-
-// --- The same lists ------------------------------------------------------------
-
-/*@ predicate same_listing(view a, view b) =
-  @     \forall integer s; is_slot(a, s) &&
-  @         (filed_at(a, s) >= 0 || filed_at(b, s) >= 0) ==>
-  @         filed_at(b, s) == filed_at(a, s);
-  @ lemma headed_kept: \forall view a, b; is_headed(a) && same_size(a, b) &&
-  @     same_lists(a, b) && same_listing(a, b) ==> is_headed(b);
-  @ lemma back_kept: \forall view a, b; is_linked_back(a) && same_size(a, b) &&
-  @     same_lists(a, b) && same_listing(a, b) && is_placed(a) ==>
-  @     is_linked_back(b);
-  @ lemma on_kept: \forall view a, b; is_linked_on(a) && same_size(a, b) &&
-  @     same_lists(a, b) && same_listing(a, b) ==> is_linked_on(b);
-  @ lemma fall_kept: \forall view a, b, numbering n; falls(a, n) &&
-  @     same_size(a, b) && same_lists(a, b) && same_listing(a, b) ==> falls(b, n);
+/*@ axiomatic Lists {
+  @   type lists; // of slots, each in one list, -1 if it is in none
+  @   logic integer slots(lists l);
+  @   logic integer days(lists l);
+  @   logic integer first(lists l, integer day);
+  @   logic integer day(lists l, integer slot);
+  @   logic integer next(lists l, integer slot);
+  @   logic integer previous(lists l, integer slot);
+  @ }
+  @
+  @ predicate is_slot(lists l, integer slot) = 0 <= slot < slots(l);
+  @ predicate is_day(lists l, integer day) = 0 <= day <= days(l);
+  @
+  @ // The first of a day is of that day, and nobody is before it.
+  @ predicate is_headed(lists l, integer loose) =
+  @     \forall integer d; is_day(l, d) && first(l, d) != slots(l) ==>
+  @         is_slot(l, first(l, d)) && first(l, d) != loose &&
+  @         day(l, first(l, d)) == d && previous(l, first(l, d)) == slots(l);
+  @
+  @ // Whoever is in a list is the first of it, or the next of the one before.
+  @ predicate is_linked_back(lists l, integer loose) =
+  @     \forall integer s; is_slot(l, s) && s != loose && is_day(l, day(l, s)) ==>
+  @         (previous(l, s) == slots(l)
+  @             ? first(l, day(l, s)) == s
+  @             : is_slot(l, previous(l, s)) && next(l, previous(l, s)) == s &&
+  @                   day(l, previous(l, s)) == day(l, s));
+  @
+  @ // And the last of it, or the previous of the one after.
+  @ predicate is_linked_on(lists l, integer loose) =
+  @     \forall integer s; is_slot(l, s) && is_day(l, day(l, s)) &&
+  @         next(l, s) != slots(l) ==>
+  @         is_slot(l, next(l, s)) && next(l, s) != loose &&
+  @         previous(l, next(l, s)) == s && day(l, next(l, s)) == day(l, s);
+  @
+  @ predicate is_linked(lists l, integer loose) =
+  @     is_headed(l, loose) && is_linked_back(l, loose) &&
+  @     is_linked_on(l, loose);
+  @
+  @ predicate same_size(lists a, lists b) =
+  @     slots(a) == slots(b) && days(a) == days(b);
+  @
+  @ // A slot that was in no list has become the first of day d.
+  @ predicate is_added(lists a, lists b, integer d, integer slot) =
+  @     same_size(a, b) && first(b, d) == slot && day(b, slot) == d &&
+  @     next(b, slot) == first(a, d) && previous(b, slot) == slots(a) &&
+  @     (is_slot(a, first(a, d)) ==> previous(b, first(a, d)) == slot) &&
+  @     (\forall integer e; is_day(a, e) && e != d ==>
+  @         first(b, e) == first(a, e)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot ==>
+  @         day(b, s) == day(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot ==>
+  @         next(b, s) == next(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot && s != first(a, d) ==>
+  @         previous(b, s) == previous(a, s));
+  @
+  @ // It has been taken out of its list.
+  @ predicate is_taken(lists a, lists b, integer slot) =
+  @     same_size(a, b) && !is_day(b, day(b, slot)) &&
+  @     (previous(a, slot) == slots(a)
+  @         ? first(b, day(a, slot)) == next(a, slot)
+  @         : next(b, previous(a, slot)) == next(a, slot) &&
+  @               first(b, day(a, slot)) == first(a, day(a, slot))) &&
+  @     (is_slot(a, next(a, slot)) ==>
+  @         previous(b, next(a, slot)) == previous(a, slot)) &&
+  @     (\forall integer e; is_day(a, e) && e != day(a, slot) ==>
+  @         first(b, e) == first(a, e)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot ==>
+  @         day(b, s) == day(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot &&
+  @         s != previous(a, slot) ==> next(b, s) == next(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot && s != next(a, slot) ==>
+  @         previous(b, s) == previous(a, s));
+  @
+  @ // A day has no first any more: its slots are loose.
+  @ predicate is_loosened(lists a, lists b, integer d) =
+  @     same_size(a, b) && first(b, d) == slots(a) &&
+  @     (\forall integer e; is_day(a, e) && e != d ==>
+  @         first(b, e) == first(a, e)) &&
+  @     (\forall integer s; is_slot(a, s) ==> day(b, s) == day(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) ==> next(b, s) == next(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) ==> previous(b, s) == previous(a, s));
+  @
+  @ // The first of the loose ones is nowhere: the next one is first.
+  @ predicate is_let_go(lists a, lists b, integer slot) =
+  @     same_size(a, b) && !is_day(b, day(b, slot)) &&
+  @     (\forall integer d; is_day(a, d) ==> first(b, d) == first(a, d)) &&
+  @     (\forall integer s; is_slot(a, s) && s != slot ==>
+  @         day(b, s) == day(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) ==> next(b, s) == next(a, s)) &&
+  @     (\forall integer s; is_slot(a, s) ==> previous(b, s) == previous(a, s));
   @*/
 
-// --- The same heap, and all else but times -------------------------------------
+// --- What keeps them linked ----------------------------------------------------
 
-/*@ lemma structure_filing: \forall view a, b; same_structure(a, b) ==>
-  @     same_filing(a, b, -1) && same_listing(a, b);
-  @ lemma structure_indexed: \forall view a, b;
-  @     same_structure(a, b) && is_indexed(a) ==> is_indexed(b);
-  @ lemma structure_placed: \forall view a, b; same_structure(a, b) &&
-  @     is_sized(a) && is_indexed(a) && is_placed(a) ==>
-  @     is_placed(b) && is_sized(b);
-  @ lemma structure_sound: \forall view a, b;
-  @     same_structure(a, b) && is_sound(a) ==> is_sound(b);
+/*@ lemma added_headed: \forall lists a, b, integer loose, d, slot;
+  @     is_added(a, b, d, slot) && is_linked(a, loose) && is_slot(a, slot) &&
+  @     is_day(a, d) && slot != loose && !is_day(a, day(a, slot)) ==>
+  @     is_headed(b, loose);
+  @ lemma added_linked_back: \forall lists a, b, integer loose, d, slot;
+  @     is_added(a, b, d, slot) && is_linked(a, loose) && is_slot(a, slot) &&
+  @     is_day(a, d) && slot != loose && !is_day(a, day(a, slot)) ==>
+  @     is_linked_back(b, loose);
+  @ lemma added_linked_on: \forall lists a, b, integer loose, d, slot;
+  @     is_added(a, b, d, slot) && is_linked(a, loose) && is_slot(a, slot) &&
+  @     is_day(a, d) && slot != loose && !is_day(a, day(a, slot)) ==>
+  @     is_linked_on(b, loose);
+  @ lemma taken_headed: \forall lists a, b, integer loose, slot;
+  @     is_taken(a, b, slot) && is_linked(a, loose) && is_slot(a, slot) &&
+  @     slot != loose && is_day(a, day(a, slot)) ==> is_headed(b, loose);
+  @ lemma taken_linked_back: \forall lists a, b, integer loose, slot;
+  @     is_taken(a, b, slot) && is_linked(a, loose) && is_slot(a, slot) &&
+  @     slot != loose && is_day(a, day(a, slot)) ==> is_linked_back(b, loose);
+  @ lemma taken_linked_on: \forall lists a, b, integer loose, slot;
+  @     is_taken(a, b, slot) && is_linked(a, loose) && is_slot(a, slot) &&
+  @     slot != loose && is_day(a, day(a, slot)) ==> is_linked_on(b, loose);
+  @ lemma loosened_headed: \forall lists a, b, integer d;
+  @     is_loosened(a, b, d) && is_linked(a, slots(a)) && is_day(a, d) ==>
+  @     is_headed(b, first(a, d));
+  @ lemma loosened_linked_back: \forall lists a, b, integer d;
+  @     is_loosened(a, b, d) && is_linked(a, slots(a)) && is_day(a, d) ==>
+  @     is_linked_back(b, first(a, d));
+  @ lemma loosened_linked_on: \forall lists a, b, integer d;
+  @     is_loosened(a, b, d) && is_linked(a, slots(a)) && is_day(a, d) ==>
+  @     is_linked_on(b, first(a, d));
+  @ lemma let_go: \forall lists a, b, integer slot;
+  @     is_let_go(a, b, slot) && is_linked(a, slot) && is_slot(a, slot) &&
+  @     is_day(a, day(a, slot)) ==> is_linked(b, next(a, slot));
   @*/
-
-// --- The heap's steps ----------------------------------------------------------
-
-/*@ lemma top: \forall view v; is_indexed(v) && count(v) > 0 ==>
-  @     is_slot(v, at(v, 0)) && place(v, at(v, 0)) == 0;
-  @ lemma filing_of_heap: \forall view a, b, integer slot, s;
-  @     is_placed(a) && is_sized(a) && is_slot(a, s) && s != slot &&
-  @     same_size(a, b) && none_lost(a, b, slot) && is_indexed(b) &&
-  @     count(b) <= slots(b) ==> filed_at(b, s) == filed_at(a, s) &&
-  @     (filed_at(a, s) >= 0 ==> place(b, s) == place(a, s)) &&
-  @     (filed_at(b, s) == -1 ==> in_heap(b, s));
-  @ lemma heap_filing: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && same_size(a, b) && none_lost(a, b, slot) &&
-  @     is_indexed(b) && count(b) <= slots(b) ==> same_filing(a, b, slot);
-  @ lemma heap_placed: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && same_size(a, b) && none_lost(a, b, slot) &&
-  @     is_indexed(b) && count(b) <= slots(b) && filed_at(b, slot) < 0 &&
-  @     (filed_at(b, slot) == -1 ==> in_heap(b, slot)) ==>
-  @     is_placed(b);
-  @ lemma heap_out: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && is_slot(a, slot) &&
-  @     filed_at(a, slot) == -1 && is_put_out(a, b, slot) ==>
-  @     is_out(a, b, slot) && is_placed(b) && is_sized(b);
-  @ lemma heap_filed: \forall view a, b, integer slot; is_sized(a) &&
-  @     same_size(a, b) && in_heap(b, slot) && count(b) <= slots(b) ==>
-  @     filed_at(b, slot) == -1;
-  @ lemma heap_in: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && filed_at(a, slot) == -2 &&
-  @     is_put_in(a, b, slot) && filed_for(a, slot) == -1 &&
-  @     same_filing(a, b, slot) && filed_at(b, slot) == -1 ==> is_in(a, b, slot);
-  @ lemma heap_in_place: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && is_put_in(a, b, slot) ==>
-  @     same_filing(a, b, slot) && filed_at(b, slot) == -1 && is_sized(b);
-  @ lemma heap_in_placed: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && is_put_in(a, b, slot) &&
-  @     filed_at(b, slot) == -1 ==> is_placed(b);
-  @*/
-
-// --- The lists' steps ----------------------------------------------------------
-
-/*@ lemma filing_of_lists: \forall view a, b, integer slot;
-  @     same_size(a, b) && same_heap(a, b) && same_places(a, b, slot) ==>
-  @     same_filing(a, b, slot);
-  @ lemma index_kept: \forall view a, b, integer slot;
-  @     is_indexed(a) && is_sized(a) && same_size(a, b) && same_heap(a, b) &&
-  @     filed_at(a, slot) != -1 && is_placed(a) && is_slot(a, slot) &&
-  @     same_places(a, b, slot) ==> is_indexed(b);
-  @ lemma places_kept: \forall view a, b, integer slot;
-  @     is_placed(a) && same_size(a, b) && same_heap(a, b) && is_sized(a) &&
-  @     same_places(a, b, slot) && filed_at(b, slot) != -1 &&
-  @     filed_at(b, slot) < days(b) ==> is_placed(b);
-  @ lemma added_headed: \forall view a, b, integer d, slot;
-  @     is_added(a, b, d, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_sized(a) &&
-  @     is_day(a, d) && filed_at(a, slot) == -2 ==> is_headed(b);
-  @ lemma added_back_of_first: \forall view a, b, integer d, slot;
-  @     is_added(a, b, d, slot) && is_headed(a) && is_slot(a, slot) &&
-  @     is_sized(a) && is_day(a, d) && filed_at(a, slot) == -2 &&
-  @     first(a, d) != slots(a) ==>
-  @     is_slot(b, slot) && filed_at(b, slot) == d &&
-  @     filed_at(b, first(a, d)) == d;
-  @ lemma added_as_first: \forall view a, b, integer d, slot, s;
-  @     is_added(a, b, d, slot) && is_linked_back(a) && is_slot(a, slot) &&
-  @     is_sized(a) && is_day(a, d) && filed_at(a, slot) == -2 && s != slot &&
-  @     s != first(a, d) && is_slot(a, s) && filed_at(a, s) >= 0 &&
-  @     is_placed(a) && previous(a, s) == slots(a) ==>
-  @     previous(b, s) == slots(b) && first(b, filed_at(b, s)) == s;
-  @ lemma added_as_next: \forall view a, b, integer d, slot, s;
-  @     is_added(a, b, d, slot) && is_linked_back(a) && is_slot(a, slot) &&
-  @     is_sized(a) && is_day(a, d) && filed_at(a, slot) == -2 && s != slot &&
-  @     s != first(a, d) && is_slot(a, s) && filed_at(a, s) >= 0 &&
-  @     previous(a, s) != slots(a) ==>
-  @     previous(b, s) == previous(a, s) && is_slot(b, previous(b, s)) &&
-  @     next(b, previous(b, s)) == s &&
-  @     filed_at(b, previous(b, s)) == filed_at(b, s);
-  @ lemma added_linked_back: \forall view a, b, integer d, slot;
-  @     is_added(a, b, d, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_sized(a) &&
-  @     is_placed(a) && is_day(a, d) && filed_at(a, slot) == -2 ==>
-  @     is_linked_back(b);
-  @ lemma added_linked_on: \forall view a, b, integer d, slot;
-  @     is_added(a, b, d, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_sized(a) &&
-  @     is_day(a, d) && filed_at(a, slot) == -2 ==> is_linked_on(b);
-  @ lemma added_falls: \forall view a, b, integer d, slot, numbering n;
-  @     is_added(a, b, d, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_sized(a) &&
-  @     is_day(a, d) && filed_at(a, slot) == -2 && falls(a, n) ==>
-  @     falls(b, with(n, slot, number(n, first(a, d)) + 1));
-  @ lemma removed_headed: \forall view a, b, integer slot;
-  @     is_removed(a, b, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_day(a, filed_at(a, slot)) ==> is_headed(b);
-  @ lemma removed_back_of_next: \forall view a, b, integer slot;
-  @     is_removed(a, b, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_day(a, filed_at(a, slot)) && next(a, slot) != slots(a) &&
-  @     next(a, slot) != slot ==>
-  @     (previous(b, next(a, slot)) == slots(b)
-  @         ? first(b, filed_at(a, slot)) == next(a, slot)
-  @         : is_slot(b, previous(a, slot)) &&
-  @               previous(b, next(a, slot)) == previous(a, slot) &&
-  @               next(b, previous(a, slot)) == next(a, slot) &&
-  @               filed_at(b, previous(a, slot)) == filed_at(a, slot)) &&
-  @     filed_at(b, next(a, slot)) == filed_at(a, slot);
-  @ lemma removed_as_first: \forall view a, b, integer slot, s;
-  @     is_removed(a, b, slot) && is_linked_back(a) && is_slot(a, slot) &&
-  @     is_day(a, filed_at(a, slot)) && s != slot && s != next(a, slot) &&
-  @     is_slot(a, s) && is_day(a, filed_at(a, s)) &&
-  @     previous(a, s) == slots(a) ==>
-  @     previous(b, s) == slots(b) && first(b, filed_at(b, s)) == s;
-  @ lemma removed_as_next: \forall view a, b, integer slot, s;
-  @     is_removed(a, b, slot) && is_linked_back(a) && is_slot(a, slot) &&
-  @     is_day(a, filed_at(a, slot)) && s != slot && s != next(a, slot) &&
-  @     is_slot(a, s) && is_day(a, filed_at(a, s)) &&
-  @     previous(a, s) != slots(a) ==>
-  @     previous(b, s) == previous(a, s) && is_slot(b, previous(b, s)) &&
-  @     next(b, previous(b, s)) == s &&
-  @     filed_at(b, previous(b, s)) == filed_at(b, s);
-  @ lemma removed_linked_back: \forall view a, b, integer slot;
-  @     is_removed(a, b, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_placed(a) && is_day(a, filed_at(a, slot)) ==> is_linked_back(b);
-  @ lemma removed_linked_on: \forall view a, b, integer slot;
-  @     is_removed(a, b, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_day(a, filed_at(a, slot)) ==> is_linked_on(b);
-  @ lemma removed_falls: \forall view a, b, integer slot, numbering n;
-  @     is_removed(a, b, slot) && is_linked(a) && is_slot(a, slot) &&
-  @     is_day(a, filed_at(a, slot)) && falls(a, n) ==> falls(b, n);
-  @ lemma list_out: \forall view a, b, integer slot;
-  @     is_placed(a) && is_sized(a) && is_indexed(a) && is_slot(a, slot) &&
-  @     filed_at(a, slot) >= 0 && is_removed(a, b, slot) ==>
-  @     is_out(a, b, slot) && is_indexed(b) && is_placed(b);
-  @ lemma list_in: \forall view a, b, integer d, slot;
-  @     is_placed(a) && is_sized(a) && is_indexed(a) && is_slot(a, slot) &&
-  @     filed_at(a, slot) == -2 && is_day(a, d) && is_added(a, b, d, slot) &&
-  @     filed_for(a, slot) == d ==>
-  @     is_in(a, b, slot) && is_indexed(b) && is_placed(b);
-  @*/
-
-// --- By time -------------------------------------------------------------------
-
-/*@ lemma top_is_due: \forall view v; is_indexed(v) && is_sized(v) &&
-  @     count(v) > 0 && are_all_filed(v) ==>
-  @     is_slot(v, at(v, 0)) && filed_at(v, at(v, 0)) == -1 &&
-  @     epoch_of(v, at(v, 0)) <= epoch(v);
-  @ lemma nobody_is_due: \forall view v, integer s; is_placed(v) &&
-  @     are_all_filed(v) && count(v) == 0 && today(v) == days(v) - 1 &&
-  @     is_slot(v, s) ==> filed_at(v, s) == -2 && epoch_of(v, s) > epoch(v);
-  @*/
-
-#include "calendar_highest_wp.h"
-
-#include "calendar_keeps_wp.h"

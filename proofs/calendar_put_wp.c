@@ -8,10 +8,4 @@
 
 #include "calendar_kept_wp.h"
 
-#include "calendar_told_wp.h"
-
-#include "calendar_index_wp.h"
-
-#include "calendar_ghosts_wp.h"
-
 #include "../sim/calendar.c"

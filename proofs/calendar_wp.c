@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// with: -wp-fct first_below,heap_settle -wp-model Typed+real
+// with: -wp-fct first_below,heap_settle,list_add -wp-model Typed+real
 /**
- * The calendar's heap, as compiled.  The index is kept: the slot at a
+ * The calendar's heap and lists, as compiled.  The index is kept: the slot at a
  * position of the heap has that position for its place, so no slot is there
  * twice; and none gets lost: whatever was in the heap is in it afterwards, with
  * the slot that was put in.  The order is kept: no slot is before the one above
- * it.  Nothing outside the calendar's own arrays is read or written, and every
- * loop ends.
+ * it.  A slot that is put in a list is its first, and whoever was first has it
+ * before itself.  Nothing outside the calendar's own arrays is read or written,
+ * and every loop ends.
  */
 #include "calendar_wp.h"
 #include "calendar_moves_wp.h"
@@ -34,10 +35,19 @@ static uint32_t first_below(const brink_calendar *c, uint32_t position);
   @*/
 static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot);
 
-#include "calendar_told_wp.h"
-
-#include "calendar_index_wp.h"
-
-#include "calendar_ghosts_wp.h"
+/*@ requires is_calendar(c);
+  @ requires list <= c->days && slot < c->slots;
+  @ requires c->first[list] <= c->slots && c->first[list] != slot;
+  @ terminates \true;
+  @ exits \false;
+  @ assigns c->first[list], c->filed[slot];
+  @ assigns c->filed[\at(c->first[list], Pre)].previous;
+  @ ensures first: c->first[list] == slot;
+  @ ensures before: c->filed[slot].previous == c->slots;
+  @ ensures after: c->filed[slot].next == \old(c->first[list]);
+  @ ensures and_back: c->filed[c->filed[slot].next].previous == slot;
+  @ ensures place: c->filed[slot].place == 0x80000000 + list;
+  @*/
+static void list_add(brink_calendar *c, uint32_t list, uint32_t slot);
 
 #include "../sim/calendar.c"

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A slot's place: NONE, a position in the heap, or IN_LIST + the day whose list
-// it is in. Heap positions stay below IN_LIST because slots do.
+// A slot's place: NONE, a position in the heap, or IN_LIST + the number of the
+// list. Heap positions stay below IN_LIST because slots do.
 #define NONE    UINT32_MAX
 #define IN_LIST UINT32_C(0x80000000)
 
@@ -21,14 +21,14 @@ int brink_calendar_create(brink_calendar *c, uint32_t slots, double year,
     c->entry = brink_array_create(slots, sizeof *c->entry);
     c->filed = brink_array_create((size_t)slots + 1, sizeof *c->filed);
     c->heap = brink_array_create(slots, sizeof *c->heap);
-    c->first = brink_array_create(c->days, sizeof *c->first);
+    c->first = brink_array_create((size_t)c->days + 1, sizeof *c->first);
     if (!c->entry || !c->filed || !c->heap || !c->first) {
         brink_calendar_destroy(c);
         return -1;
     }
     for (uint32_t slot = 0; slot <= slots; slot++)
         c->filed[slot] = (brink_filed){NONE, slots, slots};
-    for (uint32_t day = 0; day < c->days; day++)
+    for (uint32_t day = 0; day <= c->days; day++)
         c->first[day] = slots;
     for (uint32_t slot = 0; slot < slots; slot++)
         c->entry[slot] = (brink_entry){.when = BRINK_NEVER};
@@ -111,45 +111,17 @@ static void heap_settle(brink_calendar *c, uint32_t position, uint32_t slot)
 
 static void heap_add(brink_calendar *c, uint32_t slot)
 {
-    //@ ghost there_is_room(c, slot);
-    const uint32_t end = c->heap_count++;
-    //@ assert same_links{Pre, Here}(c);
-    //@ assert same_ends{Pre, Here}(c);
-    //@ assert same_but_count{Pre, Here}(c, -1);
-    heap_settle(c, end, slot);
+    heap_settle(c, c->heap_count++, slot);
 }
 
-static void heap_remove(brink_calendar *c, uint32_t slot)
+static void list_add(brink_calendar *c, uint32_t list, uint32_t slot)
 {
-    const uint32_t position = c->filed[slot].place;
-    const uint32_t last = c->heap[--c->heap_count];
-    c->filed[slot].place = NONE;
-    //@ assert same_links{Pre, Here}(c);
-    //@ assert same_ends{Pre, Here}(c);
-    //@ assert same_but_count{Pre, Here}(c, slot);
-    if (last != slot)
-        heap_settle(c, position, last);
-}
-
-static void list_add(brink_calendar *c, uint32_t day, uint32_t slot)
-{
-    const uint32_t head = c->first[day];
+    const uint32_t head = c->first[list];
     c->filed[slot].next = head;
     c->filed[slot].previous = c->slots;
     c->filed[head].previous = slot;
-    c->first[day] = slot;
-    c->filed[slot].place = IN_LIST + day;
-}
-
-static void list_remove(brink_calendar *c, uint32_t slot)
-{
-    const uint32_t before = c->filed[slot].previous, after = c->filed[slot].next;
-    if (before == c->slots)
-        c->first[c->filed[slot].place - IN_LIST] = after;
-    else
-        c->filed[before].next = after;
-    c->filed[after].previous = before;
-    c->filed[slot].place = NONE;
+    c->first[list] = slot;
+    c->filed[slot].place = IN_LIST + list;
 }
 
 // Powers of two: the product is exact, and below `days` because offset < year.
@@ -158,13 +130,16 @@ static uint32_t day_of(const brink_calendar *c, double offset)
     return (uint32_t)(offset * c->days_a_time);
 }
 
-// Files a slot that is nowhere under the time of its entry; one of a later year,
-// or of none, remains nowhere until turn_year.
+// Files a slot that is nowhere under the time of its entry.
 static void file_under(brink_calendar *c, uint32_t slot)
 {
     const brink_instant when = c->entry[slot].when;
-    if (when.epoch > c->epoch)
+    if (when.epoch == INT64_MAX)
         return;
+    if (when.epoch > c->epoch) {
+        list_add(c, c->days, slot);
+        return;
+    }
     const uint32_t day = day_of(c, when.offset);
     if (when.epoch == c->epoch && day > c->today)
         list_add(c, day, slot);
@@ -172,105 +147,73 @@ static void file_under(brink_calendar *c, uint32_t slot)
         heap_add(c, slot);
 }
 
+static void list_remove(brink_calendar *c, uint32_t list, uint32_t slot)
+{
+    const uint32_t before = c->filed[slot].previous, after = c->filed[slot].next;
+    if (before == c->slots)
+        c->first[list] = after;
+    else
+        c->filed[before].next = after;
+    c->filed[after].previous = before;
+}
+
 static void take_out(brink_calendar *c, uint32_t slot)
 {
     const uint32_t place = c->filed[slot].place;
     if (place == NONE)
         return;
-    if (place < IN_LIST)
-        heap_remove(c, slot);
-    else
-        list_remove(c, slot);
-}
-
-static void entry_put(brink_calendar *c, uint32_t slot, const brink_entry *entry)
-{
-    c->entry[slot] = *entry;
+    if (place < IN_LIST) {
+        const uint32_t last = c->heap[--c->heap_count];
+        if (last != slot)
+            heap_settle(c, place, last);
+    } else
+        list_remove(c, place - IN_LIST, slot);
+    c->filed[slot].place = NONE;
 }
 
 void brink_calendar_set(brink_calendar *c, uint32_t slot,
                         const brink_entry *entry)
 {
     take_out(c, slot);
-    //@ assert is_a_time(c, entry->when);
-    entry_put(c, slot, entry);
-    //@ assert are_filed(view_of(c), slot, slot + 1);
+    c->entry[slot] = *entry;
     file_under(c, slot);
 }
 
-static void turn_to(brink_calendar *c, int64_t epoch, uint32_t today)
+// Empties a list and files each of its slots anew.
+static void refile(brink_calendar *c, uint32_t list)
 {
-    c->epoch = epoch;
-    c->today = today;
-}
-
-// Everything of today goes from its list to the heap.
-static void open_today(brink_calendar *c)
-{
-    /*@ loop invariant are_filed_but_for(view_of(c), c->today) &&
-      @     is_calendar(c) && first(view_of(c), c->today) == c->first[c->today] &&
-      @     c->today == \at(c->today, Pre) &&
-      @     c->slots == \at(c->slots, Pre) && c->days == \at(c->days, Pre);
-      @ loop assigns c->heap_count, c->heap[0 .. \at(c->slots, Pre) - 1],
-      @     c->first[0 .. \at(c->days, Pre) - 1],
-      @     c->filed[0 .. \at(c->slots, Pre)];
-      @ loop variant c->slots - c->heap_count; */
-    while (c->first[c->today] != c->slots) {
-        const uint32_t slot = c->first[c->today];
-        take_out(c, slot);
+    uint32_t slot = c->first[list];
+    c->first[list] = c->slots;
+    while (slot != c->slots) {
+        const uint32_t next = c->filed[slot].next;
+        c->filed[slot].place = NONE;
         file_under(c, slot);
+        slot = next;
     }
-    //@ ghost nobody_is_left(c, c->today);
 }
 
-static int64_t earliest_epoch(const brink_calendar *c)
-{
-    int64_t epoch = INT64_MAX;
-    /*@ loop invariant slot <= c->slots &&
-      @     is_earliest_epoch(view_of(c), epoch, slot);
-      @ loop assigns slot, epoch;
-      @ loop variant c->slots - slot; */
-    for (uint32_t slot = 0; slot < c->slots; slot++)
-        if (c->entry[slot].when.epoch < epoch)
-            epoch = c->entry[slot].when.epoch;
-    return epoch;
-}
-
-// Nothing is filed any more: goes on to the first year that has an event; 0 if
-// there is none.
+// Goes on to the first year that has an event; 0 if there is none.
 static int turn_year(brink_calendar *c)
 {
-    const int64_t epoch = earliest_epoch(c);
+    int64_t epoch = INT64_MAX;
+    for (uint32_t slot = c->first[c->days]; slot != c->slots;
+         slot = c->filed[slot].next)
+        if (c->entry[slot].when.epoch < epoch)
+            epoch = c->entry[slot].when.epoch;
     if (epoch == INT64_MAX)
         return 0;
-    turn_to(c, epoch, 0);
-    /*@ loop invariant slot <= c->slots && is_calendar(c) &&
-      @     are_filed(view_of(c), slot, c->slots) &&
-      @     c->slots == \at(c->slots, Pre) && c->days == \at(c->days, Pre);
-      @ loop assigns slot, c->heap_count,
-      @     c->heap[0 .. \at(c->slots, Pre) - 1],
-      @     c->first[0 .. \at(c->days, Pre) - 1],
-      @     c->filed[0 .. \at(c->slots, Pre)];
-      @ loop variant c->slots - slot; */
-    for (uint32_t slot = 0; slot < c->slots; slot++)
-        file_under(c, slot);
+    c->epoch = epoch;
+    c->today = 0;
+    refile(c, c->days);
     return 1;
 }
 
 uint32_t brink_calendar_next(brink_calendar *c)
 {
-    /*@ loop invariant is_calendar(c) && are_filed(view_of(c), 0, 0) &&
-      @     c->slots == \at(c->slots, Pre) && c->days == \at(c->days, Pre);
-      @ loop assigns c->epoch, c->today, c->heap_count,
-      @     c->heap[0 .. \at(c->slots, Pre) - 1],
-      @     c->first[0 .. \at(c->days, Pre) - 1],
-      @     c->filed[0 .. \at(c->slots, Pre)];
-      @ loop variant (0x7FFFFFFFFFFFFFFF - c->epoch) * 0x40000000 - c->today; */
     while (c->heap_count == 0) {
-        if (c->today + 1 < c->days) {
-            turn_to(c, c->epoch, c->today + 1);
-            open_today(c);
-        } else if (!turn_year(c))
+        if (c->today + 1 < c->days)
+            refile(c, ++c->today);
+        else if (!turn_year(c))
             return c->slots;
     }
     return c->heap[0];
@@ -295,24 +238,25 @@ const char *brink_calendar_is_valid(const brink_calendar *c)
 {
     uint32_t filed = c->heap_count;
     // A list that ran in a circle would come to a slot whose previous is another.
-    for (uint32_t day = 0; day < c->days; day++) {
+    for (uint32_t list = 0; list <= c->days; list++) {
         uint32_t before = c->slots;
-        for (uint32_t s = c->first[day]; s != c->slots;
+        for (uint32_t s = c->first[list]; s != c->slots;
              before = s, s = c->filed[s].next) {
-            if (s >= c->slots || c->filed[s].place != IN_LIST + day ||
+            if (s >= c->slots || c->filed[s].place != IN_LIST + list ||
                 c->filed[s].previous != before)
                 return "a list and its slots disagree";
             const brink_instant when = c->entry[s].when;
-            if (when.epoch != c->epoch || day <= c->today ||
-                day_of(c, when.offset) != day)
+            if (list == c->days ? when.epoch <= c->epoch
+                                : when.epoch != c->epoch || list <= c->today ||
+                                      day_of(c, when.offset) != list)
                 return "a slot is in the list of another day";
             filed++;
         }
     }
     uint32_t waiting = 0;
     for (uint32_t s = 0; s < c->slots; s++)
-        waiting += c->entry[s].when.epoch <= c->epoch;
+        waiting += c->entry[s].when.epoch != INT64_MAX;
     if (waiting != filed)
-        return "an event is filed nowhere, or one of a later year is filed";
+        return "an event is filed nowhere, or nowhere's is filed";
     return heap_is_valid(c);
 }

@@ -5,8 +5,8 @@
  * The event queue: a fixed number of slots, each with one event or none, and the
  * earliest of them in O(1) (Paul 2007: J. Comput. Phys. 221, 615).  The year of
  * the clock is divided into days; today's events are in a small heap, those of
- * later days of this year in a list a day; those of later years are in neither:
- * when the year turns, all slots are gone through.
+ * later days of this year in a list a day, those of later years in one list that
+ * is gone through when the year turns.
  *
  * One order: (time, kind, i, j), then slot.  What comes out does not depend on
  * when or in which order things were put in.
@@ -42,7 +42,7 @@ typedef struct brink_calendar {
     uint32_t today;
     brink_entry *entry; // per slot
     brink_filed *filed; // per slot; and one for nobody, where anything is written
-    uint32_t *first;    // per day
+    uint32_t *first;    // per day, and one more: later years
     uint32_t *heap;     // slots, earliest first
     uint32_t heap_count;
 } brink_calendar;

@@ -255,46 +255,49 @@ START_TEST(the_check_sees_what_is_wrong_and_says_so)
         for (int k = 0; k < 3; k++)
             EXPECT_FAULT_IF(c.filed[slot].place, places[k], "about a place");
     }
-    const uint32_t day = c.today + 2, slot = c.first[day],
-                   place = c.filed[slot].place;
-    EXPECT_FAULT_IF(c.filed[slot].place, place - 1, "disagree");
-    EXPECT_FAULT_IF(c.filed[slot].place, place + 1, "disagree");
-    EXPECT_FAULT_IF(c.filed[slot].previous, slot, "disagree");
-    EXPECT_FAULT_IF(c.first[day], SLOTS + 1, "disagree");
-    EXPECT_FAULT_IF(c.filed[c.filed[slot].next].previous, SLOTS, "disagree");
-    const brink_instant its_time = c.entry[slot].when;
-    for (int year = -1; year < 3; year++)
-        if (year != 0) {
-            c.entry[slot].when.epoch = year;
-            expect_fault(&c, "of another day");
-        }
-    c.entry[slot].when = its_time;
-    for (uint32_t other = 0; other < 16; other++)
-        if (other != day) {
-            c.entry[slot].when.offset = other * YEAR / 16;
-            expect_fault(&c, "of another day");
-        }
-    c.entry[slot].when = its_time;
+    // in a list: of today + 2, and of later years
+    const uint32_t lists[] = {c.today + 2, c.days};
+    for (int n = 0; n < 2; n++) {
+        const uint32_t s = c.first[lists[n]], place = c.filed[s].place;
+        EXPECT_FAULT_IF(c.filed[s].place, place - 1, "disagree");
+        EXPECT_FAULT_IF(c.filed[s].place, place + 1, "disagree");
+        EXPECT_FAULT_IF(c.filed[s].previous, s, "disagree");
+        EXPECT_FAULT_IF(c.first[lists[n]], SLOTS + 1, "disagree");
+        EXPECT_FAULT_IF(c.filed[c.filed[s].next].previous, SLOTS, "disagree");
+        // an event of another year, of this one, of another day
+        const brink_instant right = c.entry[s].when;
+        for (int year = -1; year < 3; year++)
+            if (n == 0 ? year != 0 : year <= 0) {
+                c.entry[s].when.epoch = year;
+                expect_fault(&c, "of another day");
+            }
+        c.entry[s].when = right;
+        for (int day = 0; day < 16 && n == 0; day++)
+            if ((uint32_t)day != lists[n]) {
+                c.entry[s].when.offset = day * YEAR / 16;
+                expect_fault(&c, "of another day");
+            }
+        c.entry[s].when = right;
+        expect_valid(&c);
+    }
     // what is in the list of today, or of a day gone by
-    EXPECT_FAULT_IF(c.today, day, "of another day");
-    EXPECT_FAULT_IF(c.today, day + 1, "of another day");
-    EXPECT_FAULT_IF(c.first[0], c.first[day], "disagree");
+    EXPECT_FAULT_IF(c.today, lists[0], "of another day");
+    EXPECT_FAULT_IF(c.today, lists[0] + 1, "of another day");
+    EXPECT_FAULT_IF(c.first[0], c.first[lists[0]], "disagree");
     EXPECT_FAULT_IF(c.heap[0], SLOTS + 1, "about a place");
-    const uint32_t filed = c.heap[c.heap_count - 1];
-    const brink_instant when = c.entry[filed].when;
-    c.entry[filed].when = BRINK_NEVER;
+    const uint32_t none = c.heap[c.heap_count - 1]; // is no event, and filed
+    const brink_instant when = c.entry[none].when;
+    c.entry[none].when = BRINK_NEVER;
     expect_fault(&c, "nowhere");
-    c.entry[filed].when.epoch = 1; // the next year
-    expect_fault(&c, "nowhere");
-    c.entry[filed].when = when;
-    c.entry[filed].when.offset = YEAR / 16; // tomorrow
+    c.entry[none].when = when;
+    c.entry[none].when.epoch = 1; // the next year
+    expect_fault(&c, "or year is in the heap");
+    c.entry[none].when = when;
+    c.entry[none].when.offset = YEAR / 16; // tomorrow
     expect_fault(&c, "of a later day");
-    c.entry[filed].when = when;
+    c.entry[none].when = when;
     c.entry[SLOTS - 1].when = (brink_instant){0, 0.0}; // and is filed nowhere
     expect_fault(&c, "nowhere");
-    c.entry[filed].when.epoch = 1; // as many as are due, but not those
-    expect_fault(&c, "or year is in the heap");
-    c.entry[filed].when = when;
     c.entry[SLOTS - 1].when = BRINK_NEVER;
     const double last = c.entry[c.heap[c.heap_count - 1]].when.offset;
     c.entry[c.heap[c.heap_count - 1]].when.offset = -1;
