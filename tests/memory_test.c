@@ -42,6 +42,20 @@ static int attempt_start(void)
     return 0;
 }
 
+static int attempt_begin(void)
+{
+    brink_system system;
+    brink_run run;
+    if (brink_start_make(&scene, "scene", &system, nowhere))
+        return 1;
+    if (brink_run_create(&run, &system, BRINK_TIER_PLAIN)) {
+        brink_system_destroy(&system);
+        return 1;
+    }
+    brink_run_destroy(&run);
+    return 0;
+}
+
 static int attempt_run(void)
 {
     brink_system system;
@@ -167,6 +181,14 @@ START_TEST(a_start_without_memory_is_an_error)
 }
 END_TEST
 
+START_TEST(a_run_is_not_begun_without_memory)
+{
+    read_scene(few_crowded); // inside each other's wells: levels are found
+    ck_assert_int_gt(refuse_each(attempt_begin, "a well"), 20);
+    brink_scene_destroy(&scene);
+}
+END_TEST
+
 START_TEST(a_run_without_memory_stops)
 {
     read_scene(few_in_rows);
@@ -217,10 +239,10 @@ END_TEST
 int main(void)
 {
     nowhere = fopen("/dev/null", "w");
-    return RUN_SUITE("memory", 300, a_scene_without_memory_is_an_error,
-                     a_start_without_memory_is_an_error,
-                     a_run_without_memory_stops,
-                     a_snapshot_without_memory_is_refused,
-                     observations_without_memory_are_an_error,
-                     an_explanation_without_memory_is_an_error);
+    return RUN_SUITE(
+        "memory", 300, a_scene_without_memory_is_an_error,
+        a_start_without_memory_is_an_error, a_run_is_not_begun_without_memory,
+        a_run_without_memory_stops, a_snapshot_without_memory_is_refused,
+        observations_without_memory_are_an_error,
+        an_explanation_without_memory_is_an_error);
 }

@@ -55,7 +55,8 @@ NEAR = {
 # Of other rooms, those that take no more seconds than this; of its own, ten times.
 SECONDS = 0.8
 # Whose tests are its own besides those by its name.
-ALSO = {"run": ["sequence_test", "conservation_test", "snapshot_test"],
+ALSO = {"run": ["sequence_test", "conservation_test", "snapshot_test",
+                "memory_test"],
         "exact": ["lanes_test"], "root": ["quadratic_test", "event_time_test"],
         "dyadic": ["root_test"], "lanes": ["quadratic_test"]}
 
