@@ -42,30 +42,32 @@ static int attempt_start(void)
     return 0;
 }
 
-static int attempt_begin(void)
+static int begin(brink_run *run)
 {
     brink_system system;
-    brink_run run;
     if (brink_start_make(&scene, "scene", &system, nowhere))
         return 1;
-    if (brink_run_create(&run, &system, BRINK_TIER_PLAIN)) {
+    if (brink_run_create(run, &system, BRINK_TIER_PLAIN)) {
         brink_system_destroy(&system);
         return 1;
     }
+    return 0;
+}
+
+static int attempt_begin(void)
+{
+    brink_run run;
+    if (begin(&run))
+        return 1;
     brink_run_destroy(&run);
     return 0;
 }
 
 static int attempt_run(void)
 {
-    brink_system system;
     brink_run run;
-    if (brink_start_make(&scene, "scene", &system, nowhere))
+    if (begin(&run))
         return 1;
-    if (brink_run_create(&run, &system, BRINK_TIER_PLAIN)) {
-        brink_system_destroy(&system);
-        return 1;
-    }
     const enum brink_run_status status =
         brink_run_advance(&run, 300, BRINK_NEVER);
     brink_run_destroy(&run);
